@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kShortestTurn_s = 0.010, kLongestTurn_s = 0.100;
 using facts::kGravity_m_per_s2;
-constexpr double kTiltTime_s = 0.5;  // gyro in less, inclinometer in more
+constexpr double kTiltTime_s = 0.5;  // gyro in less, what is measured in more
 constexpr double kBiasTime_s = 1.0;  // in which the estimator's gyro bias is learned from it
 constexpr double kLargestBias_rad_per_s = 0.05;
 // Of a body like humanoid22:
@@ -61,7 +61,8 @@ EstimateFallback::EstimateFallback(const FallbackSource& source)
       force_reader_(source.client.read<FootForces>("foot_forces")),
       plan_reader_(source.client.read<MotionPlan>("motion_plan")),
       estimate_reader_(source.client.read<Estimate>("estimate")) {
-  has_inclinometer_ = robot_.carries(urdf::SensorKind::inclination);
+  tells_tilt_ =
+      robot_.carries(urdf::SensorKind::inclination) && robot_.imu.inclinometer == urdf::Inclinometer::fused;
 }
 
 // Learns the gyro's bias from what the estimator makes of the gyro.
@@ -87,8 +88,9 @@ void EstimateFallback::take_turn(const Tick& tick) noexcept {
   turn_ns_ = tick.now_ns;
 }
 
+// A pendulum feels the accelerations that the accelerometer feels, and late.
 std::optional<Eigen::Vector2d> EstimateFallback::measured_tilt() const noexcept {
-  if (has_inclinometer_) {
+  if (tells_tilt_) {
     return Eigen::Vector2d(imu_.inclination[0], imu_.inclination[1]);
   }
   const Eigen::Vector3d f = vector(imu_.acceleration);

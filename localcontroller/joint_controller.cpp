@@ -8,7 +8,7 @@ constexpr double kStiffeningPerStep = kServoPeriod_s / 0.5;  // from no torque t
 constexpr double kStiffeningAgainPerStep = kServoPeriod_s / 0.1;  // of a joint that held compliant
 constexpr double kTurn_rad = 6.283185307179586;
 constexpr double kPositionCount_rad = kTurn_rad / 65536.0;
-constexpr double kCurrentCount_Nm = 0.125;
+constexpr float kCurrentCount_Nm = 0.125F;
 // No joint moves at this many times its motor's largest speed.
 constexpr double kImplausibleSpeeds = 10.0;
 constexpr int kEncoderDistrust_ms = 5;
@@ -160,6 +160,7 @@ double JointController::step(std::int64_t now_ns, const JointSensors& sensors) n
   for (std::size_t channel = 0; channel < channels_.size(); ++channel) {
     channels_[channel].add(sensors.channel[channel]);
   }
+  current_.add(sensors.motor_current_Nm);
   trim_.step(now_ns, kServoPeriod_s);
   // Soft at once; stiff little by little, since the joint may lie far from its reference by now.
   share_ = share_asked_ <= share_                       ? share_asked_
@@ -238,7 +239,10 @@ bool JointController::take_frame(can::Frame& frame) noexcept {
     can::Feedback feedback;
     feedback.node = config_.node;
     feedback.position = static_cast<std::int16_t>(saturated(measured_rad_ / kPositionCount_rad, 32767));
-    feedback.current = static_cast<std::int8_t>(saturated(torque_Nm_ / kCurrentCount_Nm, 127));
+    feedback.current = static_cast<std::int8_t>(
+        saturated(config_.senses_current ? current_.counts(kCurrentCount_Nm)
+                                         : torque_Nm_ / static_cast<double>(kCurrentCount_Nm),
+                  127));
     feedback.state = state();
     feedback.pending_toggle = player_.pending_toggle();
     feedback.executing_toggle = player_.executing_toggle();

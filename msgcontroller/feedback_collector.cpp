@@ -25,6 +25,7 @@ FeedbackCollector::FeedbackCollector(const urdf::RobotModel& robot, std::span<co
       channels_(robot.channels),
       feet_(robot.feet),
       has_inclinometer_(robot.carries(urdf::SensorKind::inclination)),
+      tells_tilt_(has_inclinometer_ && robot.imu.inclinometer == urdf::Inclinometer::fused),
       sensor_(robot.imu) {
   joint_states_.joint_count = static_cast<std::uint32_t>(joint_count_);
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
@@ -83,16 +84,17 @@ void FeedbackCollector::take_channel(const urdf::SensorChannel& channel, double 
     case Sensor::angular_velocity:
       sensed_.angular_velocity[channel.index] = value;
       Eigen::Map<Eigen::Vector3d>(imu_.angular_velocity) = sensor_.in_link(sensed_.angular_velocity);
-      derive_inclination(channel);
+      derive_tilt(channel);
       break;
     case Sensor::acceleration:
       sensed_.acceleration[channel.index] = value;
       Eigen::Map<Eigen::Vector3d>(imu_.acceleration) = sensor_.in_link(sensed_.acceleration);
-      derive_inclination(channel);
+      derive_tilt(channel);
       break;
     case Sensor::inclination:
       sensed_.inclination[channel.index] = value;
       Eigen::Map<Eigen::Vector2d>(imu_.inclination) = sensor_.tilt_in_link(sensed_.inclination);
+      if (tells_tilt_) tilt_rad_ = Eigen::Map<Eigen::Vector2d>(imu_.inclination);
       break;
   }
   imu_.stamp_ns = now_ns;
@@ -105,30 +107,30 @@ void FeedbackCollector::take_wrench(const urdf::SensorChannel& channel, double v
 }
 
 // By the gyro, and slowly towards what the accelerometer says while the robot is about at rest.
-void FeedbackCollector::derive_inclination(const urdf::SensorChannel& channel) noexcept {
+void FeedbackCollector::derive_tilt(const urdf::SensorChannel& channel) noexcept {
   constexpr unsigned kAll = 0x3F;
-  if (has_inclinometer_) return;
+  if (tells_tilt_) return;
   const int first = channel.kind == urdf::SensorKind::acceleration ? 3 : 0;
   imu_channels_ |= 1U << static_cast<unsigned>(first + channel.index);
   if (imu_channels_ != kAll) return;
   imu_channels_ = 0;
   const Eigen::Map<const Eigen::Vector3d> rate(imu_.angular_velocity), force(imu_.acceleration);
-  Eigen::Map<Eigen::Vector2d> tilt(imu_.inclination);
   const bool at_rest = std::abs(force.norm() - facts::kGravity_m_per_s2) <= kAtRest_m_per_s2;
   const Eigen::Vector2d felt = geometry::tilt_at_rest(force);
   if (tilt_slot_ == 0) {
     if (!at_rest) return;
-    tilt = felt;
+    tilt_rad_ = felt;
   } else {
     const double dt_s = kSlot_s * static_cast<double>(std::min(slot_ - tilt_slot_, kLongestGap_slots));
-    const Eigen::Vector3d attitude(tilt.x(), tilt.y(), 0.0);
-    tilt += dt_s * geometry::attitude_rate(attitude, rate).head<2>();
+    const Eigen::Vector3d attitude(tilt_rad_.x(), tilt_rad_.y(), 0.0);
+    tilt_rad_ += dt_s * geometry::attitude_rate(attitude, rate).head<2>();
     const double share = at_rest ? dt_s / (kTiltTime_s + dt_s) : 0.0;
     for (Eigen::Index axis = 0; axis < 2; ++axis) {
-      tilt[axis] += share * std::remainder(felt[axis] - tilt[axis], 2.0 * std::numbers::pi);
+      tilt_rad_[axis] += share * std::remainder(felt[axis] - tilt_rad_[axis], 2.0 * std::numbers::pi);
     }
   }
   tilt_slot_ = std::max(slot_, 1U);
+  if (!has_inclinometer_) Eigen::Map<Eigen::Vector2d>(imu_.inclination) = tilt_rad_;
 }
 
 std::uint64_t FeedbackCollector::missing() const noexcept {

@@ -89,7 +89,7 @@ void MessageController::step(std::int64_t now_ns) noexcept {
   if (!feedback_published_ && in_slot_ns >= kPublishInSlot_ns) {
     publish_feedback(now_ns);
   }
-  trims_.stand_in(in_slot_ns, feedback_published_, feedback_.imu(), playback_.support());
+  trims_.stand_in(in_slot_ns, feedback_published_, feedback_, playback_.support());
 }
 
 void MessageController::enter_slot(std::int64_t now_ns) noexcept {

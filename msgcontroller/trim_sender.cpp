@@ -32,17 +32,17 @@ void TrimSender::take(const msgclient::TrimUpdate& update) noexcept {
   last_taken_slot_ = link_.slots_since_start;
 }
 
-void TrimSender::stand_in(std::int64_t in_slot_ns, bool heard, const Imu& imu,
+void TrimSender::stand_in(std::int64_t in_slot_ns, bool heard, const FeedbackCollector& feedback,
                           std::uint8_t support) noexcept {
   const bool silent = link_.slots_since_start - last_taken_slot_ > kSlotsWithoutTrims;
   const bool due = silent ? heard : in_slot_ns == kOwnTrimInSlot_ns;
   if (sent_in_this_slot_ || !due || gains_.channel_count == 0 || link_.mode() == Mode::emergency_stop) {
     return;
   }
-  const msgclient::TrunkMotion motion{.roll = imu.inclination[0],
-                                      .pitch = imu.inclination[1],
-                                      .roll_rate = imu.angular_velocity[0],
-                                      .pitch_rate = imu.angular_velocity[1]};
+  const msgclient::TrunkMotion motion{.roll = feedback.tilt_rad().x(),
+                                      .pitch = feedback.tilt_rad().y(),
+                                      .roll_rate = feedback.imu().angular_velocity[0],
+                                      .pitch_rate = feedback.imu().angular_velocity[1]};
   send(msgclient::trim_angles(gains_, support, motion, settings_.limit_rad));
 }
 

@@ -1,4 +1,4 @@
-// Sorts contacts: soles that stand, and everything else.
+// Sorts contacts: soles that stand, links that touch each other, and everything else.
 #include "contact_reader.hpp"
 
 #include <algorithm>
@@ -45,12 +45,14 @@ void ContactReader::follow(const mjModel& model, const std::optional<world::Worl
 }
 
 // The robot's bodies come first, behind the world's.
-int ContactReader::link_in(const mjModel& model, const mjContact& contact) const {
-  for (const int geom : contact.geom) {
+ContactReader::Links ContactReader::links_in(const mjModel& model, const mjContact& contact) const {
+  const auto link_of = [&](int geom) {
     const int body = model.geom_bodyid[geom];
-    if (body >= 1 && body <= links_) return body - 1;
-  }
-  return -1;
+    return body >= 1 && body <= links_ ? body - 1 : BodyContact::kNoLink;
+  };
+  const auto [lower, higher] = std::minmax({link_of(contact.geom[0]), link_of(contact.geom[1])});
+  if (lower == BodyContact::kNoLink) return {.link = higher};
+  return {.link = lower, .other_link = higher};
 }
 
 // On a plain floor whatever touches a foot loads it.
@@ -66,19 +68,20 @@ int ContactReader::link_inside(const mjModel& model, const mjData& data, int sol
   for (int i = 0; solid >= 0 && i < data.ncon; ++i) {
     const mjContact& contact = data.contact[i];
     const bool is_it = solid_of(contact.geom[0]) == solid || solid_of(contact.geom[1]) == solid;
-    const int link = link_in(model, contact);
+    const int link = links_in(model, contact).link;
     if (is_it && link >= 0 && contact.dist < -deepest_m) return link;
   }
   return -1;
 }
 
-void ContactReader::add_body_contact(int link, int solid, double force_N) {
-  const auto same = std::ranges::find_if(
-      body_, [&](const BodyContact& one) { return one.link == link && one.solid == solid; });
+void ContactReader::add_body_contact(const BodyContact& contact) {
+  const auto same = std::ranges::find_if(body_, [&](const BodyContact& one) {
+    return one.link == contact.link && one.solid == contact.solid && one.other_link == contact.other_link;
+  });
   if (same != body_.end()) {
-    same->force_N += force_N;
+    same->force_N += contact.force_N;
   } else {
-    body_.push_back({.link = link, .solid = solid, .force_N = force_N});
+    body_.push_back(contact);
   }
 }
 
@@ -101,10 +104,14 @@ void ContactReader::read(const mjModel& model, const mjData& data) {
   }
   for (int i = 0; i < data.ncon; ++i) {
     const mjContact& point = data.contact[i];
-    const int link = link_in(model, point);
+    const auto [link, other_link] = links_in(model, point);
     if (point.efc_address < 0 || link < 0) continue;
     double force[6];
     mj_contactForce(&model, &data, i, force);
+    if (other_link >= 0) {
+      add_body_contact({.link = link, .force_N = force[0], .other_link = other_link});
+      continue;  // no ground
+    }
     const int solid = std::max(solid_of(point.geom[0]), solid_of(point.geom[1]));
     const std::size_t foot = link == foot_link_[0] ? 0 : link == foot_link_[1] ? 1 : 2;
     if (foot == 2) add_link_force(link, force[0]);
@@ -116,7 +123,7 @@ void ContactReader::read(const mjModel& model, const mjData& data) {
     }
     const bool stands =
         on_sole && (solid == BodyContact::kFloor || is_ground_[static_cast<std::size_t>(solid)]);
-    if (!stands) add_body_contact(link, solid, force[0]);
+    if (!stands) add_body_contact({.link = link, .solid = solid, .force_N = force[0]});
   }
   for (std::size_t foot = 0; foot < 2; ++foot) {
     const double force = ground_.normal_force_N[foot];

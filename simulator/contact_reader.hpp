@@ -30,14 +30,16 @@ class ContactReader {
   [[nodiscard]] const std::vector<BodyContact>& body() const noexcept { return body_; }
   // Which solid a geometry is; BodyContact::kFloor if none.
   [[nodiscard]] int solid_of(int geom) const { return solid_of_geom_[static_cast<std::size_t>(geom)]; }
-  // Of its two bodies the robot's link; -1: neither is.
-  [[nodiscard]] int link_in(const mjModel& model, const mjContact& contact) const;
+  // What of the robot a contact is of.
+  struct Links {
+    int link = BodyContact::kNoLink;        // the lower of two
+    int other_link = BodyContact::kNoLink;  // the robot touches itself
+  };
+  [[nodiscard]] Links links_in(const mjModel& model, const mjContact& contact) const;
 
  private:
-  struct FootLoad;
-
   [[nodiscard]] bool is_on_sole(const mjModel& model, const mjContact& contact, std::size_t foot) const;
-  void add_body_contact(int link, int solid, double force_N);
+  void add_body_contact(const BodyContact& contact);
   void add_link_force(int link, double force_N);
 
   int links_;

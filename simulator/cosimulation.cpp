@@ -35,7 +35,7 @@ Cosimulation::Cosimulation(const urdf::RobotModel& robot, const CosimulationOpti
       localization_client_(memory_block_.local_client("localization")),
       camera_client_(memory_block_.local_client("camera")),
       plant_(robot_, options.plant),
-      joints_(robot_, options.plant.seed, options.largest_clock_drift_ppm),
+      joints_(robot_, options.plant.seed, options.largest_clock_drift_ppm, options.plant.mismatch),
       sensor_faults_(robot_, options.plant.seed),
       message_transmitter_(bus_.attach()),
       fault_random_(options.plant.seed ^ 0xFA17'0000'0000'0001ULL) {

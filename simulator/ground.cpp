@@ -11,7 +11,7 @@
 namespace gaitway::simulator {
 namespace {
 
-constexpr int kGroundType = 1;  // the ground touches everything of the robot; the robot does not touch itself
+constexpr int kGroundType = 1;  // the ground touches everything of the robot
 constexpr double kThickness_m = 0.05;
 constexpr double kFarAway_m = 100.0;
 constexpr int kTileColumns = 12, kTileRows = 8;  // 1.2 m by 0.8 m: more than the feet reach

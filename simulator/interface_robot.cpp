@@ -103,7 +103,7 @@ InterfaceRobot::InterfaceRobot(const urdf::RobotModel& robot, const PlantOptions
                                can::SocketCanPort& port, const InterfaceRun& files, std::int64_t start_ns)
     : port_(port),
       plant_(robot, plant),
-      joints_(robot, plant.seed, kLargestClockDrift_ppm),
+      joints_(robot, plant.seed, kLargestClockDrift_ppm, plant.mismatch),
       watch_(plant_, files.walk_log, files.summary, start_ns),
       next_ns_(start_ns + kMillisecond_ns) {
   joints_.step(start_ns, plant_.sensors());

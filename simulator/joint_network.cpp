@@ -5,6 +5,7 @@
 #include <random>
 
 #include "gaitway/msgcontroller/network_profile.hpp"
+#include "motor_model.hpp"
 
 namespace gaitway::simulator {
 namespace {
@@ -35,11 +36,15 @@ float channel_value(const urdf::SensorChannel& channel, const PlantSensors& sens
 
 }  // namespace
 
-JointNetwork::JointNetwork(const urdf::RobotModel& robot, std::uint64_t seed, double largest_drift_ppm)
+JointNetwork::JointNetwork(const urdf::RobotModel& robot, std::uint64_t seed, double largest_drift_ppm,
+                           double mismatch)
     : channels_(robot.channels) {
   std::mt19937_64 random(seed ^ 0xC10C'D21F'7000'0001ULL);
+  const ServoFactors servos = draw_servo_factors(robot, seed, mismatch * robot.parts_deviation);
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
     configs_.push_back(joint_config(robot, static_cast<int>(joint)));
+    configs_.back().stiffness_Nm_per_rad *= servos.stiffness[joint];
+    configs_.back().damping_Nms_per_rad *= servos.damping[joint];
     joints_.emplace_back(configs_.back());
     const double unit = static_cast<double>(random() >> 11U) * 0x1.0p-53;  // [0, 1)
     clock_rate_.push_back(1.0 + (2.0 * unit - 1.0) * largest_drift_ppm * 1e-6);
@@ -59,6 +64,9 @@ localcontroller::JointSensors JointNetwork::sensors(int joint, const PlantSensor
   sensors.encoder_count = plant.encoder_count[j];
   sensors.channel[0] = channel_value(channels_[j][0], plant);
   sensors.channel[1] = channel_value(channels_[j][1], plant);
+  if (j < plant.motor_current_Nm.size()) {  // none without a body, when a log alone is played
+    sensors.motor_current_Nm = static_cast<float>(plant.motor_current_Nm[j]);
+  }
   return sensors;
 }
 
@@ -117,6 +125,7 @@ localcontroller::JointConfig joint_config(const urdf::RobotModel& robot, int joi
   config.lower_rad = source.lower_rad;
   config.upper_rad = source.upper_rad;
   config.initial_reference_count = static_cast<std::int32_t>(std::lround(source.home_rad / source.count_rad));
+  config.senses_current = robot.parts_deviation > 0.0;
   config.trim_channel = source.trim_channel;
   config.trim_count_rad = robot.trim.count_rad;
   config.trim_slew_rad_per_s = robot.trim.slew_rad_per_s;

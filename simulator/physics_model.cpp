@@ -11,7 +11,8 @@
 namespace gaitway::simulator {
 namespace {
 
-constexpr int kTouchesGround = 1;
+// Bits of the contact types: what stands fast and things have the first, links of the robot the second.
+constexpr int kWorldType = 1, kLinkType = 2;
 // Of the stop at either end of a joint's play: as hard as the time step allows.
 constexpr double kPlayStopTime_s = 0.002;
 constexpr double kPlayArmature_kg_m2 = 1e-5;
@@ -94,8 +95,8 @@ mjsGeom* add_shape(mjSpec* spec, mjsBody* body, const urdf::Shape& shape) {
 void add_collision(mjSpec* spec, mjsBody* body, const urdf::Link& link, double friction) {
   for (const urdf::Shape& shape : link.collision) {
     mjsGeom* const geom = add_shape(spec, body, shape);
-    geom->contype = 0;
-    geom->conaffinity = kTouchesGround;
+    geom->contype = kLinkType;
+    geom->conaffinity = kWorldType | kLinkType;
     geom->condim = 3;
     geom->friction[0] = friction;
     geom->group = 3;  // not drawn
@@ -225,6 +226,15 @@ void set_options(mjSpec& spec, const urdf::RobotModel& robot) {
   }
 }
 
+ModelPointer compiled(mjSpec* spec, const urdf::RobotModel& robot, const std::optional<world::World>& world) {
+  ModelPointer model(mj_compile(spec, nullptr));
+  if (!model) {
+    throw std::runtime_error(robot.name + (world ? " in " + world->file.string() : "") +
+                             ": the physics model cannot be built: " + mjs_getError(spec));
+  }
+  return model;
+}
+
 }  // namespace
 
 ModelPointer build_physics_model(const urdf::RobotModel& robot, const ModelMismatch& mismatch,
@@ -243,12 +253,12 @@ ModelPointer build_physics_model(const urdf::RobotModel& robot, const ModelMisma
   if (!world || world->lights.empty()) add_sun(spec.get());
   add_robot(spec.get(), robot, mismatch, conditions);
   if (world) add_things(spec.get(), *world, friction);
-  ModelPointer model(mj_compile(spec.get(), nullptr));
-  if (!model) {
-    throw std::runtime_error(robot.name + (world ? " in " + world->file.string() : "") +
-                             ": the physics model cannot be built: " + mjs_getError(spec.get()));
-  }
-  return model;
+  leave_out(spec.get(), robot, neighbouring_links(robot));
+  ModelPointer model = compiled(spec.get(), robot, world);
+  const std::vector<LinkPair> touching = touching_at_home(*model, robot);
+  if (touching.empty()) return model;
+  leave_out(spec.get(), robot, touching);
+  return compiled(spec.get(), robot, world);
 }
 
 }  // namespace gaitway::simulator

@@ -15,6 +15,7 @@
 
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/simulator/conditions.hpp"
+#include "gaitway/simulator/self_collision.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 #include "gaitway/world/world.hpp"
 
@@ -28,6 +29,9 @@ inline constexpr std::array<double, 3> kSunDirection{-0.35, -0.45,
 struct ModelMismatch {
   std::vector<double> mass_factor;  // each link's; inertia likewise
   Eigen::Vector3d trunk_com_offset_m = Eigen::Vector3d::Zero();
+  std::vector<double> play_factor;  // of each joint, on the width of its play, if it has one
+  std::array<double, 2> sole_time_factor{1,
+                                         1};  // [Side], on the time in which a contact gives way and recovers
 };
 
 struct ModelDeleter {
@@ -40,7 +44,8 @@ using ModelPointer = std::unique_ptr<mjModel, ModelDeleter>;
 using DataPointer = std::unique_ptr<mjData, DataDeleter>;
 
 // Body i + 1 of the model is link i; a hinge has its joint's name. What can be pushed in the world comes
-// behind the robot. Throws std::runtime_error with the compiler's words.
+// behind the robot. Links collide with each other, but for neighbours and what touches at home: the latter
+// costs a second compilation. Throws std::runtime_error with the compiler's words.
 ModelPointer build_physics_model(const urdf::RobotModel& robot, const ModelMismatch& mismatch,
                                  const Conditions& conditions, const std::optional<world::World>& world);
 
@@ -52,6 +57,11 @@ void add_things(mjSpec* spec, const world::World& world, double friction);
 
 // Of the ground's frame in the world; the identity where the ground is level. The ground's z is its normal.
 [[nodiscard]] Eigen::Quaterniond ground_rotation(const GroundConditions& ground);
+
+// The pairs that touch, of those that the model does not leave out. Changes the model only while it looks.
+[[nodiscard]] std::vector<LinkPair> touching_at_home(mjModel& model, const urdf::RobotModel& robot);
+// These never touch each other.
+void leave_out(mjSpec* spec, const urdf::RobotModel& robot, const std::vector<LinkPair>& pairs);
 
 // Adds the ground's shapes to the world body.
 void add_ground(mjSpec* spec, const GroundConditions& ground, double friction);

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/geometry/tilt.hpp"
 #include "plant_implementation.hpp"
 
 namespace gaitway::simulator {
@@ -18,11 +19,15 @@ namespace {
 constexpr double kMassDeviation = 0.05;
 constexpr double kZeroDeviation_rad = 0.4 * std::numbers::pi / 180.0;
 const Eigen::Vector3d kTrunkComDeviation_m(0.006, 0.004, 0.006);
+constexpr double kPlayDeviation = 0.5;       // ± uniform, of a joint's play
+constexpr double kSoleTimeDeviation = 0.4;   // ± uniform, of a contact's time constant: rubber hard or soft
+constexpr double kLeastSoleTime = 0.1;       // of the described one
 constexpr std::ptrdiff_t kWrenchValues = 6;  // of a foot, in sensordata
 constexpr double kFallenTilt_rad = 50.0 * std::numbers::pi / 180.0;
 constexpr double kFallenHeight = 0.2 / 0.36;  // of the hips' height in the stand
 
-ModelMismatch draw_mismatch(const urdf::RobotModel& robot, facts::RandomStream& random, double scale) {
+ModelMismatch draw_mismatch(const urdf::RobotModel& robot, facts::RandomStream& random,
+                            facts::RandomStream& build_random, double scale) {
   ModelMismatch mismatch;
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
     mismatch.mass_factor.push_back(std::max(0.1, 1.0 + scale * kMassDeviation * random.normal()));
@@ -30,6 +35,15 @@ ModelMismatch draw_mismatch(const urdf::RobotModel& robot, facts::RandomStream& 
   const double larger = robot.body_scale().factor("m");
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     mismatch.trunk_com_offset_m[axis] = scale * larger * kTrunkComDeviation_m[axis] * random.normal();
+  }
+  const auto factor = [&](double deviation) {
+    return 1.0 + scale * robot.parts_deviation * deviation * (2.0 * build_random.uniform() - 1.0);
+  };
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    mismatch.play_factor.push_back(std::max(0.0, factor(kPlayDeviation)));
+  }
+  for (double& sole : mismatch.sole_time_factor) {
+    sole = std::max(0.5 * (1.0 + kLeastSoleTime), factor(kSoleTimeDeviation));
   }
   return mismatch;
 }
@@ -63,20 +77,26 @@ std::vector<int> bodies_of_things(const mjModel& model, const std::optional<worl
 Plant::Implementation::Implementation(const urdf::RobotModel& description, const PlantOptions& options)
     : robot(description),
       mismatch_random(options.seed, 0x6D69'736D'6174'6368ULL),
+      build_random(options.seed, 0x6275'696C'6400'0000ULL),
       noise_random(options.seed, 0x6E6F'6973'6500'0000ULL),
       condition_random(options.seed, 0x636F'6E64'6974'696FULL),
       noise(options.sensor_noise),
-      mismatch(draw_mismatch(robot, mismatch_random, options.mismatch)),
+      mismatch(draw_mismatch(robot, mismatch_random, build_random, options.mismatch)),
       conditions(options.conditions),
       ground(ground_rotation(options.conditions.ground)),
       world(options.world),
       world_ground(world ? std::optional<WorldGround>(*world) : std::nullopt),
       model(build_physics_model(robot, mismatch, options.conditions, world)),
+      imu_model(options.seed, options.mismatch * robot.parts_deviation, model->opt.timestep),
       tiles(*model, options.conditions.ground, options.seed),
       data(mj_makeData(model.get())),
       foot_body{robot.feet[0].link + 1, robot.feet[1].link + 1},
       trunk_body(robot.imu.link + 1),
-      contacts(*model, robot, world) {
+      contacts(*model, robot, world),
+      motors(robot, options.seed, options.mismatch * robot.parts_deviation,
+             options.sensor_noise && robot.parts_deviation > 0.0),
+      servos(draw_servo_factors(robot, options.seed, options.mismatch * robot.parts_deviation)),
+      motor_speed_rad_per_s(robot.joints.size(), 0.0) {
   if (world) require_plain_ground(options.conditions.ground, *world);
   for (const urdf::Joint& joint : robot.joints) {
     const int hinge = mj_name2id(model.get(), mjOBJ_JOINT, joint.name.c_str());
@@ -84,6 +104,7 @@ Plant::Implementation::Implementation(const urdf::RobotModel& description, const
     velocity_address.push_back(model->jnt_dofadr[hinge]);
     zero_error_rad.push_back(options.mismatch * kZeroDeviation_rad * mismatch_random.normal());
   }
+  set_drawn(*model);
   thing_body = bodies_of_things(*model, world);
   own_surfaces = world ? world->surfaces.size() : 0;
   set_home(options.start_rad);
@@ -91,6 +112,7 @@ Plant::Implementation::Implementation(const urdf::RobotModel& description, const
   tiles.follow(*model, Eigen::Map<const Eigen::Vector3d>(home.data()));
   sensors.encoder_count.assign(robot.joints.size(), 0);
   sensors.motor_torque_Nm.assign(robot.joints.size(), 0.0);
+  sensors.motor_current_Nm.assign(motors.sensed_Nm().begin(), motors.sensed_Nm().end());
   reset(data.get());
   if (world) require_room(*model, *data, contacts, *world, robot);
   contacts.read(*model, *data);
@@ -116,30 +138,6 @@ void Plant::Implementation::reset(mjData* state) const {
   mj_forward(model.get(), state);
 }
 
-void Plant::Implementation::apply_motors(std::span<const double> command_Nm) {
-  if (command_Nm.size() != robot.joints.size()) {
-    throw std::invalid_argument(robot.name + ": step() takes " + std::to_string(robot.joints.size()) +
-                                " joint torques, not " + std::to_string(command_Nm.size()));
-  }
-  const double supply = sagging_steps > 0 ? supply_factor : 1.0;
-  sagging_steps = std::max(0L, sagging_steps - 1);
-  for (std::size_t j = 0; j < robot.joints.size(); ++j) {
-    const urdf::Motor& motor = robot.joints[j].motor;
-    if (!std::isfinite(command_Nm[j])) {
-      throw std::invalid_argument(robot.joints[j].name + ": the torque asked for is not a finite number");
-    }
-    const int address = velocity_address[j];
-    const double velocity = data->qvel[address];
-    const bool driving = command_Nm[j] * velocity > 0.0;
-    const double fade = driving ? std::max(0.0, 1.0 - std::abs(velocity) / motor.speed_limit_rad_per_s) : 1.0;
-    const double limit = motor.torque_limit_Nm * conditions.body.torque_factor * supply * fade;
-    // In single precision, so that a record of the torques replays to the bit.
-    const double torque = static_cast<double>(static_cast<float>(std::clamp(command_Nm[j], -limit, limit)));
-    sensors.motor_torque_Nm[j] = torque;
-    data->qfrc_applied[address] = torque;
-  }
-}
-
 void Plant::Implementation::apply_pushes() {
   for (ActivePush& push : pushes) {
     Eigen::Map<Eigen::Vector3d> applied(data->xfrc_applied + std::ptrdiff_t{6} * push.body);
@@ -157,38 +155,39 @@ void Plant::Implementation::read_sensors(bool first) {
   const urdf::SensorNoise& sigma = robot.noise;
   const Eigen::Vector3d gravity(0.0, 0.0, -facts::kGravity_m_per_s2);
   const Eigen::Isometry3d imu = body_pose(*data, trunk_body) * robot.imu.pose;
+  const Eigen::Matrix3d axes = imu.linear() * imu_model.mounting();
   const PointVelocity motion = point_velocity(*model, *data, trunk_body, imu.translation());
   const auto specific_force = [&](std::size_t which, const Eigen::Vector3d& velocity,
-                                  const Eigen::Matrix3d& rotation) {
+                                  const Eigen::Matrix3d& rotation) -> Eigen::Vector3d {
     const Eigen::Vector3d acceleration =
         first ? Eigen::Vector3d::Zero().eval()
               : ((velocity - last_velocity_m_per_s[which]) / model->opt.timestep).eval();
     last_velocity_m_per_s[which] = velocity;
-    Eigen::Vector3d force = rotation.transpose() * (acceleration - gravity);
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      force[axis] += sigma.acceleration_m_per_s2 * normal();
-    }
-    return force;
+    return rotation.transpose() * (acceleration - gravity);
   };
-  sensors.acceleration_m_per_s2 = specific_force(0, motion.linear, imu.linear());
-  sensors.angular_velocity_rad_per_s = imu.linear().transpose() * motion.angular;
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    sensors.angular_velocity_rad_per_s[axis] +=
-        gyro_bias_rad_per_s[axis] + sigma.angular_velocity_rad_per_s * normal();
-  }
-  // Roll and pitch from the direction of gravity in the sensor's frame.
-  const Eigen::Vector3d up = imu.linear().row(2);
-  sensors.inclination_rad.x() = std::atan2(up.y(), up.z()) + sigma.inclination_rad * normal();
-  sensors.inclination_rad.y() =
-      std::atan2(-up.x(), std::hypot(up.y(), up.z())) + sigma.inclination_rad * normal();
+  const Eigen::Vector3d force = specific_force(0, motion.linear, axes);
+  if (first) imu_model.settle(force);
+  const ImuModel::Reading read =
+      imu_model.step(axes.transpose() * motion.angular, force, gyro_bias_rad_per_s);
+  sensors.acceleration_m_per_s2 = read.acceleration_m_per_s2;
+  sensors.angular_velocity_rad_per_s = read.angular_velocity_rad_per_s;
+  sensors.inclination_rad = robot.imu.inclinometer == urdf::Inclinometer::pendulum
+                                ? read.inclination_rad
+                                : geometry::tilt_at_rest(imu.linear().row(2));
+  for (double& value : sensors.acceleration_m_per_s2) value += sigma.acceleration_m_per_s2 * normal();
+  for (double& value : sensors.angular_velocity_rad_per_s)
+    value += sigma.angular_velocity_rad_per_s * normal();
+  for (double& value : sensors.inclination_rad) value += sigma.inclination_rad * normal();
   for (std::size_t foot = 0; foot < 2; ++foot) {
     const PointVelocity velocity =
         point_velocity(*model, *data, foot_body[foot], contacts.ground().sole[foot].translation());
     sensors.foot_acceleration_m_per_s2[foot] =
         specific_force(1 + foot, velocity.linear, contacts.ground().sole[foot].linear());
+    for (double& value : sensors.foot_acceleration_m_per_s2[foot])
+      value += sigma.acceleration_m_per_s2 * normal();
     read_foot(foot);
-    for (double& force : sensors.force_N[foot]) {
-      force += sigma.force_N * normal();
+    for (double& cell_N : sensors.force_N[foot]) {
+      cell_N += sigma.force_N * normal();
     }
     if (robot.feet[foot].sensor == urdf::FootSensor::six_axis) read_wrench(foot);
   }
@@ -308,9 +307,13 @@ BodyTruth Plant::body_truth() const {
   const Implementation& self = *implementation_;
   BodyTruth truth{.encoder_zero_rad = self.zero_error_rad,
                   .trunk_com_offset_m = self.mismatch.trunk_com_offset_m,
+                  .play_factor = self.mismatch.play_factor,
+                  .sole_time_factor = self.mismatch.sole_time_factor,
                   .link_mass_kg = {},
                   .cell_gain = self.cell_gain,
-                  .gyro_bias_rad_per_s = self.gyro_bias_rad_per_s};
+                  .gyro_bias_rad_per_s = self.gyro_bias_rad_per_s + self.imu_model.walked_bias_rad_per_s(),
+                  .imu = self.imu_model.truth(),
+                  .joints = self.joint_truth()};
   const std::span<const double> masses(self.model->body_mass,
                                        self.robot.links.size() + 1);  // the world first
   truth.link_mass_kg.assign(masses.begin() + 1, masses.end());

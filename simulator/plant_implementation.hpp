@@ -10,6 +10,8 @@
 #include "contact_reader.hpp"
 #include "gaitway/facts/random_stream.hpp"
 #include "gaitway/simulator/plant.hpp"
+#include "imu_model.hpp"
+#include "motor_model.hpp"
 #include "physics_model.hpp"
 #include "world_ground.hpp"
 
@@ -31,7 +33,11 @@ struct Plant::Implementation {
   void draw_sensor_faults();
   void set_home(const std::vector<double>& start_rad);
   void reset(mjData* state) const;
+  // Friction and play of the joints and the soles' compliance as they were drawn, in a model that has those
+  // of the description.
+  void set_drawn(mjModel& target) const;
   void apply_motors(std::span<const double> command_Nm);
+  [[nodiscard]] std::vector<JointTruth> joint_truth() const;
   void apply_pushes();
   void read_sensors(bool first);
   void read_foot(std::size_t foot);
@@ -44,7 +50,7 @@ struct Plant::Implementation {
   [[nodiscard]] world::World world_as_it_lies() const;
 
   urdf::RobotModel robot;
-  facts::RandomStream mismatch_random, noise_random, condition_random;
+  facts::RandomStream mismatch_random, build_random, noise_random, condition_random;
   bool noise;
   ModelMismatch mismatch;
   Conditions conditions;
@@ -55,6 +61,7 @@ struct Plant::Implementation {
   Eigen::Vector3d gyro_bias_rad_per_s = Eigen::Vector3d::Zero();
   std::array<std::array<double, 4>, 2> cell_gain{};
   ModelPointer model;
+  ImuModel imu_model;
   TileField tiles;
   std::vector<int> position_address, velocity_address;  // of each joint, in qpos and qvel
   DataPointer data;
@@ -69,7 +76,10 @@ struct Plant::Implementation {
   std::uint32_t geometry = 1;
   std::array<Eigen::Vector3d, 3> last_velocity_m_per_s{};  // of IMU, left sole, right sole
   std::vector<ActivePush> pushes;
-  double supply_factor = 1.0;  // of the motors' torque, for so many steps
+  MotorModel motors;
+  ServoFactors servos;                        // in the joints' electronics: for body_truth() alone
+  std::vector<double> motor_speed_rad_per_s;  // of each joint, in this step
+  double supply_factor = 1.0;                 // of the motors' torque, for so many steps
   long sagging_steps = 0;
 };
 

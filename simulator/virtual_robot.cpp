@@ -50,7 +50,7 @@ class VirtualRobot {
   VirtualRobot(const urdf::RobotModel& robot, const Options& options, std::int64_t start_ns)
       : now_ns_(start_ns),
         plant_(robot, options.plant),
-        joints_(robot, options.plant.seed, simulator::kLargestClockDrift_ppm),
+        joints_(robot, options.plant.seed, simulator::kLargestClockDrift_ppm, options.plant.mismatch),
         watch_(plant_, options.walk_log, options.summary, start_ns),
         server_(options.bus, start_ns) {
     for (int joint = 0; joint < joints_.size(); ++joint) {

@@ -118,6 +118,7 @@ void Plant::Implementation::change_world(world::World next, std::string_view new
   }
   std::optional<world::World> changed(std::move(next));
   ModelPointer next_model = build_physics_model(robot, mismatch, conditions, changed);
+  set_drawn(*next_model);
   DataPointer next_data(mj_makeData(next_model.get()));
   std::vector<int> next_bodies = bodies_of_things(*next_model, changed);
   const auto [positions, velocities] = robot_dimensions(*model, thing_body);

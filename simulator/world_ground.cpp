@@ -118,10 +118,11 @@ void require_room(const mjModel& model, const mjData& state, const ContactReader
   };
   for (int i = 0; i < state.ncon; ++i) {
     const mjContact& contact = state.contact[i];
-    if (contact.dist > -kDepth_m) continue;
+    const auto [link, other_link] = contacts.links_in(model, contact);
+    if (contact.dist > -kDepth_m || other_link >= 0) continue;  // room is what the world has
     const int first = contacts.solid_of(contact.geom[0]), second = contacts.solid_of(contact.geom[1]);
     const std::string depth = " begins " + millimetres(-contact.dist) + " inside of ";
-    if (const int link = contacts.link_in(model, contact); link >= 0) {
+    if (link >= 0) {
       refuse_start(world, "the robot's " + robot.links[static_cast<std::size_t>(link)].name + depth +
                               solid_name(std::max(first, second)));
     }

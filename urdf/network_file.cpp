@@ -195,11 +195,19 @@ void read_legs_and_feet(const input::YamlValue& top, NetworkFile& network) {
 }
 
 void read_imu(const input::YamlValue& map, NetworkFile& network) {
-  map.require_map(Keys{"link", "position_m", "rotation_rpy_deg"});
+  map.require_map(Keys{"link", "position_m", "rotation_rpy_deg", "inclinometer"});
   network.imu_link = map.at("link").text();
   network.imu_line = map.at("link").line();
   network.imu.pose =
       pose_of(map.at("position_m").numbers<3>(kPosition_m), rotation_or_zero(map, "rotation_rpy_deg"));
+  const auto inclinometer = map.find("inclinometer");
+  if (!inclinometer) return;
+  const std::string kind = inclinometer->text();
+  if (kind != "fused" && kind != "pendulum") {
+    inclinometer->refuse("must be fused or pendulum",
+                         "Write fused for a module that fuses it with a gyro of its own, else pendulum");
+  }
+  network.imu.inclinometer = kind == "fused" ? Inclinometer::fused : Inclinometer::pendulum;
 }
 
 void read_trim(const input::YamlValue& map, TrimSettings& trim) {
@@ -254,7 +262,8 @@ void read_network(const input::YamlValue& map, NetworkSettings& network) {
 }
 
 void read_simulation(const input::YamlValue& map, NetworkFile& network) {
-  map.require_map(Keys{"noise", "contact", "physics_step_s"});
+  map.require_map(Keys{"noise", "contact", "physics_step_s", "parts"});
+  read_number(map, "parts", {0.0, 5.0, ""}, false, network.parts_deviation);
   const input::YamlValue noise = map.at("noise");
   noise.require_map(
       Keys{"angular_velocity_rad_per_s", "acceleration_m_per_s2", "inclination_rad", "force_N", "torque_Nm"});

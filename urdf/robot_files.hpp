@@ -71,6 +71,7 @@ struct NetworkFile {
   std::string imu_link;
   int imu_line = 0;
   SensorNoise noise;
+  double parts_deviation = 0.0;
   Contact contact;
   TrimSettings trim;
   NetworkSettings network;

@@ -65,6 +65,7 @@ class Assembly {
     model_.imu = network_.imu;
     model_.imu.link = find_link(network_.imu_link, network_.imu_line, "imu.link");
     model_.noise = network_.noise;
+    model_.parts_deviation = network_.parts_deviation;
     model_.contact = network_.contact;
     model_.trim = network_.trim;
     model_.network = network_.network;

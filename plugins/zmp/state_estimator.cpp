@@ -25,6 +25,12 @@ constexpr int kSettlingTicks = 15;
 constexpr double kRestlessTilt_rad = 0.2;
 constexpr double kRest_m_per_s2 = 1.0;    // from gravity, of a body that is hardly accelerated
 constexpr double kLevelSoles_rad = 0.02;  // deviation of soles on a floor, by joint zeros and the floor
+// Of a body that has been calm for so long a pendulum hangs at rest: what it tells of one that moves is where
+// the accelerations point, and late.
+constexpr double kHangingTilt_rad = 0.05;
+constexpr double kCalm_rad_per_s = 0.1;
+constexpr double kCalm_m_per_s2 = 0.5;  // from gravity
+constexpr int kCalmSlots = 15;
 constexpr double kGainsaid_rad = 0.35;
 
 const EstimatorParameters& checked(const EstimatorParameters& parameters) {
@@ -49,6 +55,8 @@ StateEstimator::StateEstimator(const urdf::RobotModel& model, const EstimatorPar
       inputs_(model, parameters.stale_after_s),
       contacts_(thresholds_of(parameters, mass_kg_)),
       senses_load_(model.senses_load()),
+      senses_tilt_(model.carries(urdf::SensorKind::inclination) &&
+                   model.imu.inclinometer == urdf::Inclinometer::fused),
       load_model_(model),
       cells_(parameters, mass_kg_ * kGravity_m_per_s2),
       attitude_(parameters),
@@ -67,7 +75,7 @@ bool StateEstimator::update(std::int64_t now_ns, const JointStates& joints, cons
   inputs_.take(now_ns, joints, forces, imu);
   if (!inputs_.complete()) return false;
   update_attitude();
-  kinematics_.update(inputs_.position_rad(), attitude_.attitude());
+  place_body();
   update_pressure();
   hold_heading();
   update_slip();
@@ -78,36 +86,57 @@ bool StateEstimator::update(std::int64_t now_ns, const JointStates& joints, cons
   return true;
 }
 
+// What is learned of the attitude moves the CoM that is seen from the soles, but it is no movement of the
+// body.
+void StateEstimator::place_body() noexcept {
+  kinematics_.update(inputs_.position_rad(), turned_attitude_);
+  const Eigen::Vector3d before_m = kinematics_.com_m(support_);
+  kinematics_.level(attitude_.attitude());
+  turned_attitude_ = attitude_.attitude();
+  if (!started_ || senses_tilt_) return;
+  const Eigen::Vector3d learned_m = kinematics_.com_m(support_) - before_m;
+  for (std::size_t axis = 0; axis < 3; ++axis) com_[axis].shift(learned_m[static_cast<Eigen::Index>(axis)]);
+}
+
 void StateEstimator::update_attitude() noexcept {
   const int slots = inputs_.imu_slots();
   if (slots == 0) return;
   if (slots > kLongestGapSlots) attitude_.lose_tilt();
   const double dt_s = facts::kSlot_s * std::min(slots, kLongestGapSlots);
   attitude_.predict(inputs_.gyro_rad_per_s(), dt_s, dt_s - facts::kSlot_s);
-  const Eigen::Vector3d& force = inputs_.acceleration_m_per_s2();
-  if (inputs_.inclination_rad()) {
-    attitude_.correct_tilt(*inputs_.inclination_rad(), parameters_.tilt_noise_rad);
-  } else {
-    correct_by_accelerometer(force);
-  }
+  turned_attitude_ = attitude_.attitude();
+  correct_tilt();
   angular_velocity_ +=
       dt_s / (parameters_.rate_filter_s + dt_s) * (attitude_.rate_rad_per_s() - angular_velocity_);
 }
 
+void StateEstimator::correct_tilt() noexcept {
+  if (senses_tilt_) {
+    attitude_.correct_tilt(*inputs_.inclination_rad(), parameters_.tilt_noise_rad);
+    return;
+  }
+  const Eigen::Vector3d& force_m_per_s2 = inputs_.acceleration_m_per_s2();
+  if (!attitude_.has_tilt() && !begin_tilt(force_m_per_s2)) return;
+  const double off_m_per_s2 = std::abs(force_m_per_s2.norm() - kGravity_m_per_s2);
+  const bool calm = off_m_per_s2 < kCalm_m_per_s2 && attitude_.rate_rad_per_s().norm() < kCalm_rad_per_s;
+  calm_slots_ = calm ? std::min(calm_slots_ + 1, kCalmSlots) : 0;
+  if (inputs_.inclination_rad() && calm_slots_ == kCalmSlots) {
+    attitude_.correct_tilt(*inputs_.inclination_rad(), kHangingTilt_rad);
+  } else if (off_m_per_s2 <= parameters_.accelerometer_band_m_per_s2) {
+    attitude_.correct_by_force(force_m_per_s2 / kGravity_m_per_s2, kRestlessTilt_rad);
+  }
+}
+
 // It begins with what level soles say, unless the accelerometer gainsays them: a robot that gets its load in
 // the first slots is shaken more than its soles are tilted, and one that lies is neither.
-void StateEstimator::correct_by_accelerometer(const Eigen::Vector3d& force_m_per_s2) noexcept {
-  if (!attitude_.has_tilt()) {
-    const auto tilt_rad = tilt_of_acceleration(force_m_per_s2, kRest_m_per_s2);
-    if (!tilt_rad) return;
-    kinematics_.update(inputs_.position_rad(), Attitude{});
-    const Eigen::Vector2d on_soles = kinematics_.tilt_on_level_soles();
-    const bool level = (*tilt_rad - on_soles).norm() < kGainsaid_rad;
-    attitude_.correct_tilt(level ? on_soles : *tilt_rad, level ? kLevelSoles_rad : kRestlessTilt_rad);
-  }
-  const double off_m_per_s2 = std::abs(force_m_per_s2.norm() - kGravity_m_per_s2);
-  if (!(off_m_per_s2 <= parameters_.accelerometer_band_m_per_s2)) return;
-  attitude_.correct_by_force(force_m_per_s2 / kGravity_m_per_s2, kRestlessTilt_rad);
+bool StateEstimator::begin_tilt(const Eigen::Vector3d& force_m_per_s2) noexcept {
+  const auto tilt_rad = tilt_of_acceleration(force_m_per_s2, kRest_m_per_s2);
+  if (!tilt_rad) return false;
+  kinematics_.update(inputs_.position_rad(), Attitude{});
+  const Eigen::Vector2d on_soles = kinematics_.tilt_on_level_soles();
+  const bool level = (*tilt_rad - on_soles).norm() < kGainsaid_rad;
+  attitude_.correct_tilt(level ? on_soles : *tilt_rad, level ? kLevelSoles_rad : kRestlessTilt_rad);
+  return true;
 }
 
 void StateEstimator::hold_heading() noexcept {
@@ -366,7 +395,10 @@ void StateEstimator::write_deviations(Estimate& estimate) const noexcept {
     if (axis < 2) estimate.dcm_deviation[axis] = std::sqrt(com_[axis].dcm_variance(omega) + of_model);
   }
   Eigen::Map<Eigen::Vector2d>(estimate.zmp_deviation) = zmp_variance_.cwiseSqrt();
-  Eigen::Map<Eigen::Vector3d>(estimate.attitude_deviation) = attitude_.attitude_deviation_rad();
+  Eigen::Vector3d attitude_deviation_rad = attitude_.attitude_deviation_rad();
+  for (double& deviation_rad : attitude_deviation_rad.head<2>())
+    deviation_rad = std::hypot(deviation_rad, parameters_.tilt_zero_deviation_rad);
+  Eigen::Map<Eigen::Vector3d>(estimate.attitude_deviation) = attitude_deviation_rad;
   Eigen::Map<Eigen::Vector3d>(estimate.gyro_bias_deviation) = attitude_.bias_deviation_rad_per_s();
 }
 

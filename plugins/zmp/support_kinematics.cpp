@@ -36,7 +36,7 @@ Eigen::Vector3d variance_from_masses(const urdf::RobotModel& model, const std::v
 
 }  // namespace
 
-void SupportKinematics::update_levels(const Attitude& attitude) noexcept {
+void SupportKinematics::level(const Attitude& attitude) noexcept {
   yaw_rad_ = attitude.yaw_rad;
   const Eigen::Matrix3d upright_from_base = attitude.tilt() * kinematics_.link_rotation(trunk_).transpose();
   for (const urdf::Side side : urdf::kSides) {
@@ -88,6 +88,7 @@ ModelUncertainty model_uncertainty(const urdf::RobotModel& model, const Estimato
       model.links[static_cast<std::size_t>(model.imu.link)].mass_kg / model.total_mass_kg();
   com.array() +=
       parameters.trunk_com_deviation_m * trunk_share * parameters.trunk_com_deviation_m * trunk_share;
+  com.head<2>().array() += Eigen::numext::abs2(parameters.tilt_zero_deviation_rad * nominal.com_m.z());
   Eigen::Vector3d foot = Eigen::Vector3d::Zero();
   for (double& angle_rad : home_rad) {
     const double home = angle_rad;

@@ -55,15 +55,18 @@ void FlightRun::look() {
   trial_.largest_tilt_rad = std::max(trial_.largest_tilt_rad, plant.truth().trunk_tilt_rad);
   if (const auto contacts = plant.body_contacts(); !contacts.empty()) {
     ++trial_.body_contacts;
-    if (trial_.first_contact.empty()) {
-      const simulator::BodyContact& first = contacts.front();
-      trial_.first_contact =
-          run_.robot().links[static_cast<std::size_t>(first.link)].name + " touches " +
-          (first.solid < 0 ? "the floor" : plant.solids()[static_cast<std::size_t>(first.solid)].name);
-    }
+    if (trial_.first_contact.empty()) trial_.first_contact = contact_text(contacts.front());
   }
   constexpr std::int64_t kLook_ns = 80'000'000;
   if (run_.now_ns() % kLook_ns == 0) look_at_answers();
+}
+
+std::string FlightRun::contact_text(const simulator::BodyContact& contact) const {
+  const std::vector<urdf::Link>& links = run_.robot().links;
+  const std::string link = links[static_cast<std::size_t>(contact.link)].name + " touches ";
+  if (contact.is_within_robot()) return link + links[static_cast<std::size_t>(contact.other_link)].name;
+  if (contact.solid == simulator::BodyContact::kFloor) return link + "the floor";
+  return link + run_.plant().solids()[static_cast<std::size_t>(contact.solid)].name;
 }
 
 void FlightRun::look_at_answers() {

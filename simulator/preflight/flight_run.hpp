@@ -20,6 +20,7 @@ class FlightRun {
  private:
   void look();
   void look_at_answers();
+  [[nodiscard]] std::string contact_text(const simulator::BodyContact& contact) const;
   [[nodiscard]] std::string left_undone() const;
 
   const Flight& flight_;

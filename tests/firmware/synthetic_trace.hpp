@@ -79,6 +79,7 @@ class SyntheticTrace {
     config.lower_rad = between(-2.0, -0.2);
     config.upper_rad = between(0.2, 2.0);
     config.initial_reference_count = static_cast<std::int32_t>(between(-90.0, 90.0));
+    config.senses_current = chance(0.5);
     config.trim_channel = chance(0.7) ? static_cast<int>(below(8)) : -1;
     config.trim_count_rad = between(0.0005, 0.002);
     config.trim_slew_rad_per_s = between(0.5, 5.0);
@@ -188,6 +189,7 @@ class SyntheticTrace {
     sensors.channel[1] =
         chance(0.01) ? std::bit_cast<float>(static_cast<std::uint32_t>(random_()))  // also what is no number
                      : static_cast<float>(between(-1.0, 1.0));
+    sensors.motor_current_Nm = static_cast<float>(ms % 97) * 0.25F - 12.0F;
     return sensors;
   }
 

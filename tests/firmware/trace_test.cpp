@@ -25,6 +25,7 @@ localcontroller::JointConfig any_config() {
   config.lower_rad = -1.25;
   config.initial_reference_count = -7;
   config.trim_channel = -1;
+  config.senses_current = true;
   config.channel_scale[1] = 0.3F;
   return config;
 }
@@ -56,6 +57,7 @@ TEST(Trace, KeepsAConfigurationToTheBit) {
   EXPECT_EQ(read.lower_rad, written.lower_rad);
   EXPECT_EQ(read.initial_reference_count, written.initial_reference_count);
   EXPECT_EQ(read.trim_channel, written.trim_channel);
+  EXPECT_TRUE(read.senses_current);
   EXPECT_EQ(read.channel_scale[1], written.channel_scale[1]);
 }
 

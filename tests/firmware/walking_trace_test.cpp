@@ -26,7 +26,7 @@ class TraceRecorder final : public simulator::CosimulationObserver {
  public:
   explicit TraceRecorder(simulator::Cosimulation& run) : run_(run) {
     for (int joint = 0; joint < run_.joints().size(); ++joint) {
-      trace_.joint(joint, simulator::joint_config(run_.robot(), joint));
+      trace_.joint(joint, run_.joints().config(joint));
     }
     run_.observe(this);
     record_steps(run_.now_ns());

@@ -39,6 +39,7 @@ JointConfig take_config(Input& input) {
   config.lower_rad = -0.5;
   config.upper_rad = 1.0;
   config.trim_channel = static_cast<int>(input.choose(9)) - 1;
+  config.senses_current = config.trim_channel % 2 == 0;
   config.trim_count_rad = 0.001;
   config.trim_slew_rad_per_s = 2.0;
   config.trim_limit_rad = 0.05;
@@ -134,6 +135,7 @@ JointSensors take_sensors(Input& input) {
   for (float& channel : sensors.channel) {
     channel = input.take_float();
   }
+  sensors.motor_current_Nm = sensors.channel[0];
   return sensors;
 }
 

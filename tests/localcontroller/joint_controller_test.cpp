@@ -4,8 +4,13 @@
 namespace gaitway::localcontroller {
 namespace {
 
+JointConfig with_current_sensor(JointConfig config) {
+  config.senses_current = true;
+  return config;
+}
+
 TEST_F(JointControllerTest, AnswersEachSyncWithOneFeedbackFrameOfWhatItMeasured) {
-  sensors = {.encoder_count = -1234, .channel = {12.344F, -3.0F}};
+  sensors = {.encoder_count = -1234, .channel = {12.344F, -3.0F}, .motor_current_Nm = -2.51F};
   run(20);
   EXPECT_TRUE(frames().empty()) << "nothing to say before the first SYNC";
   sync(0);
@@ -16,10 +21,34 @@ TEST_F(JointControllerTest, AnswersEachSyncWithOneFeedbackFrameOfWhatItMeasured)
   ASSERT_TRUE(message);
   EXPECT_EQ(message->node, kNode);
   EXPECT_EQ(message->position, -1234);
-  EXPECT_EQ(message->current, 64) << "8 N*m: the limit";
+  EXPECT_EQ(message->current, 64) << "8 N*m, the limit: what the servo asks for, without a current sensor";
   EXPECT_EQ(message->channel[0], 1234);
   EXPECT_EQ(message->channel[1], -3000);
   EXPECT_EQ(message->state, can::JointState::holding);
+}
+
+TEST_F(JointControllerTest, TellsTheMeanOfItsCurrentsOfTheSlot) {
+  joint = JointController(with_current_sensor(config()));
+  const auto told = [this](int from_ms) {
+    float sum = 0.0F;
+    for (int ms = from_ms; ms < from_ms + 10; ++ms) {
+      sensors.motor_current_Nm = static_cast<float>(ms % 3) - 0.5F;
+      sum += sensors.motor_current_Nm;
+      step();
+    }
+    sync(next_slot);
+    next_slot = (next_slot + 1) % 8;
+    const auto message = feedback();
+    EXPECT_TRUE(message);
+    EXPECT_EQ(message->current, std::lround(sum / 10.0F / 0.125F)) << from_ms;
+  };
+  for (int slot = 0; slot < 6; ++slot) told(11 * slot);
+  sensors.motor_current_Nm = -100.0F;
+  run(9);
+  sync(next_slot);
+  const auto message = feedback();
+  ASSERT_TRUE(message);
+  EXPECT_EQ(message->current, -127) << "what a byte holds";
 }
 
 TEST_F(JointControllerTest, ReportsWhatItHoldsWhatItPlaysAndTheLowBitsOfItsCount) {
@@ -195,10 +224,8 @@ TEST_F(JointControllerTest, EverySlotHasOneFeedbackFrameInWhateverOrderItsSyncsA
 }
 
 TEST_F(JointControllerTest, FeedbackSaturatesWhatItsBytesCannotHold) {
-  JointConfig strong = config();
-  strong.torque_limit_Nm = 40.0;
-  joint = JointController(strong);
-  sensors = {.encoder_count = -40'000, .channel = {1e6F, -1e6F}};
+  joint = JointController(with_current_sensor(config()));
+  sensors = {.encoder_count = -40'000, .channel = {1e6F, -1e6F}, .motor_current_Nm = 40.0F};
   run(10);
   sync(0);
   run(1);

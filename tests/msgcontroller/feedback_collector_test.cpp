@@ -144,6 +144,18 @@ TEST_F(DerivedInclination, IsTheInclinometersOwnWhereThereIsOne) {
   Feedback feedback(robot(true));
   feedback.slot(tilted(0.1, -0.2, 0.0));
   EXPECT_NEAR(feedback.collector().imu().inclination[0], 0.3, 1e-4);
+  EXPECT_NEAR(feedback.collector().tilt_rad().x(), 0.3, 1e-4);
+}
+
+// It is passed on as it is, but nobody balances by it.
+TEST_F(DerivedInclination, OfAPendulumIsNoTilt) {
+  urdf::RobotModel hanging = robot(true);
+  hanging.imu.inclinometer = urdf::Inclinometer::pendulum;
+  Feedback feedback(hanging);
+  feedback.slot(tilted(0.1, -0.2, 0.0));
+  EXPECT_NEAR(feedback.collector().imu().inclination[0], 0.3, 1e-4);
+  EXPECT_NEAR(feedback.collector().tilt_rad().x(), 0.1, 0.002);
+  EXPECT_NEAR(feedback.collector().tilt_rad().y(), -0.2, 0.002);
 }
 
 }  // namespace

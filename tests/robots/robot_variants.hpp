@@ -201,6 +201,14 @@ class RobotVariant {
     write();
   }
 
+  // Its inclinometer takes accelerations for tilts, and it is built of parts that differ from their
+  // description.
+  void build_of_real_parts() {
+    exchange(yaml_, "imu: {link: trunk,", "imu: {inclinometer: pendulum, link: trunk,");
+    exchange(yaml_, "simulation:\n", "simulation:\n  parts: 1\n");
+    write();
+  }
+
   void take_inclinometer() {
     for (const char* const tilt : {"inclination_roll", "inclination_pitch"}) exchange(yaml_, tilt, "none");
     exchange(yaml_, ", inclination_rad: 0.0001", "");

@@ -62,6 +62,30 @@ TEST_F(MotorTest, ASaggingSupplyHalvesWhatAllMotorsGiveForItsTimeAlone) {
   EXPECT_THROW(plant_.weaken_motors(0.5, 0.0), std::invalid_argument);
 }
 
+TEST_F(MotorTest, TheCurrentSensorOfAnIdealMotorTellsWhatIsApplied) {
+  for (const double asked_Nm : {0.5, -1.25, -100.0}) {
+    drive(asked_Nm);
+    EXPECT_NEAR(plant_.sensors().motor_current_Nm[elbow_], given_Nm(), 1e-6) << asked_Nm;
+  }
+}
+
+// At rest, where no gear loses anything.
+TEST_F(MotorTest, WithDeviationsEachMotorGivesByItsTorqueConstantAndTellsByItsSensor) {
+  model_.parts_deviation = 1.0;
+  Plant plant(model_, {.seed = 7, .mismatch = 1.0, .sensor_noise = false});
+  const BodyTruth truth = plant.body_truth();
+  for (std::size_t j = 0; j < model_.joints.size(); ++j) {
+    EXPECT_EQ(plant.sensors().motor_current_Nm[j], truth.joints[j].current_offset_Nm);
+  }
+  plant.step(std::vector<double>(model_.joints.size(), 2.0));
+  for (std::size_t j = 0; j < model_.joints.size(); ++j) {
+    const JointTruth& joint = truth.joints[j];
+    EXPECT_NEAR(plant.sensors().motor_torque_Nm[j], 2.0 * joint.torque_constant_factor, 1e-6);
+    EXPECT_NEAR(plant.sensors().motor_current_Nm[j], 2.0 * joint.current_gain + joint.current_offset_Nm,
+                1e-12);
+  }
+}
+
 TEST_F(MotorTest, BrakesWithItsFullTorque) {
   for (int i = 0; i < 20; ++i) {
     drive(-100.0);

@@ -114,6 +114,26 @@ TEST_F(SensorTest, GyroAndInclinometerAgreeWithTheMotionOfTheTrunk) {
   EXPECT_LT(plant.sensors().inclination_rad.x(), 0.0) << "pushed to the left, the trunk rolls to the left";
 }
 
+// A pendulum hangs along apparent gravity: a trunk that is driven forwards throws it back, as if it pitched
+// back.
+TEST_F(SensorTest, APendulumFeelsEveryAcceleration) {
+  model_.imu.inclinometer = urdf::Inclinometer::pendulum;
+  Plant plant(model_, exact_);
+  servo_.hold(plant, 300);
+  const double at_rest_rad = plant.sensors().inclination_rad.y();
+  const Eigen::Vector3d trunk_at_rest_m = plant.truth().trunk.translation();
+  plant.push("trunk", Eigen::Vector3d::UnitX(), 1.0, 0.1);
+  double least_rad = at_rest_rad, least_pitch_rad = 0.0;
+  for (int i = 0; i < 60; ++i) {
+    servo_.hold(plant, 1);
+    least_rad = std::min(least_rad, plant.sensors().inclination_rad.y());
+    least_pitch_rad = std::min(least_pitch_rad, std::asin(-plant.truth().trunk.linear()(2, 0)));
+  }
+  EXPECT_GT(plant.truth().trunk.translation().x(), trunk_at_rest_m.x());
+  EXPECT_GT(least_pitch_rad, -0.005) << "the trunk itself never pitched back";
+  EXPECT_LT(least_rad, at_rest_rad - 0.025);
+}
+
 TEST_F(SensorTest, NoiseHasTheDescribedDeviationAndNoBias) {
   Plant noisy(model_, {.seed = 9, .mismatch = 0.0, .sensor_noise = true});
   Plant exact(model_, {.seed = 9, .mismatch = 0.0, .sensor_noise = false});

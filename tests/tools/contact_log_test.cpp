@@ -75,5 +75,25 @@ TEST(ContactLogTest, NamesTheSolidsOfTheWorldAsItWas) {
   EXPECT_EQ(log.episodes()[2].with, "third");
 }
 
+TEST(ContactLogTest, NamesBothLinksOfARobotThatHitsItself) {
+  urdf::RobotModel robot;
+  for (const char* name : {"pelvis", "left_foot", "right_foot"}) robot.links.emplace_back().name = name;
+  ContactLog log;
+  const auto hit = [](int link, int other) {
+    return BodyContact{.link = link, .force_N = 2.0, .other_link = other};
+  };
+  for (std::int64_t ms = 1; ms <= 3; ++ms) {
+    const std::array contacts{hit(1, 2), hit(0, 2), BodyContact{.link = 1, .force_N = 2.0}};
+    log.add(ms * kMs, contacts, std::nullopt, 1);
+  }
+  ASSERT_EQ(log.total(), 3U);
+  const nlohmann::ordered_json told = contacts_json(log, robot)["first"];
+  EXPECT_EQ(told[0]["link"], "left_foot");
+  EXPECT_EQ(told[0]["kind"], "link");
+  EXPECT_EQ(told[0]["with"], "right_foot");
+  EXPECT_EQ(told[1]["link"], "pelvis");
+  EXPECT_EQ(told[2]["with"], "floor");
+}
+
 }  // namespace
 }  // namespace gaitway::tools

@@ -65,6 +65,10 @@ TEST(BrokenNetwork, ImplausibleValuesAreRefused) {
   expect_refused("stiffness_Nm_per_rad: 300", "stiffness_Nm_per_rad: -300",
                  {"defaults.servo.stiffness_Nm_per_rad = '-300'"});
   expect_refused("physics_step_s: 0.001", "physics_step_s: 1", {"simulation.physics_step_s = '1'"});
+  expect_refused("physics_step_s: 0.001", "parts: -1\n  physics_step_s: 0.001",
+                 {"simulation.parts = '-1': must be 0..5"});
+  expect_refused("imu: {link: trunk,", "imu: {link: trunk, inclinometer: pendulm,",
+                 {"imu.inclinometer = 'pendulm': must be fused or pendulum", "gyro of its own"});
   expect_refused("friction: 0.8", "friction: .nan",
                  {"simulation.contact.friction = '.nan': must be a number"});
   expect_refused("encoder_counts_per_turn: 200000", "encoder_counts_per_turn: 36",

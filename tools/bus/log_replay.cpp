@@ -54,7 +54,7 @@ LogReplay::LogReplay(const urdf::RobotModel& robot, const ReplayOptions& options
       profile_(msgcontroller::network_profile(robot)),
       robot_(robot),
       plant_(robot, options.plant),
-      joints_(robot, options.plant.seed, options.largest_clock_drift_ppm),
+      joints_(robot, options.plant.seed, options.largest_clock_drift_ppm, options.plant.mismatch),
       waiting_(robot.joints.size()),
       answered_(robot.joints.size()),
       power_on_ns_(robot.joints.size()),

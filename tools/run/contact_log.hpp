@@ -1,4 +1,5 @@
-// What of the robot touched what of the world, otherwise than by standing: from when to when, and how hard.
+// What of the robot touched what of the world, otherwise than by standing, or what else of the robot: from
+// when to when, and how hard.
 #pragma once
 
 #include <cstdint>
@@ -12,9 +13,10 @@
 
 namespace gaitway::tools {
 
-// One pair of link and solid that touched, with no longer a break than kContactBreak_ns.
+// One pair of link and solid, or of links, that touched, with no longer a break than kContactBreak_ns.
 struct ContactEpisode {
   int link = 0;
+  int other_link = simulator::BodyContact::kNoLink;  // in place of a solid
   world::Kind kind = world::Kind::floor;
   std::string with = "floor";           // the solid's name
   std::int64_t from_ns = 0, to_ns = 0;  // beginning of the first millisecond, end of the last one
@@ -37,7 +39,7 @@ class ContactLog {
 
  private:
   struct Open {
-    int link = 0, solid = 0;
+    int link = 0, solid = 0, other_link = 0;
     std::int64_t last_ns = 0;
     std::size_t episode = kMost;  // kMost: not kept
   };

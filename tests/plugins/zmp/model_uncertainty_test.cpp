@@ -16,7 +16,8 @@ using urdf::Side;
 
 TEST(ModelUncertainty, ExactDescriptionHasNone) {
   EstimatorParameters exact;
-  exact.joint_zero_deviation_rad = exact.link_mass_deviation = exact.trunk_com_deviation_m = 0.0;
+  exact.joint_zero_deviation_rad = exact.tilt_zero_deviation_rad = 0.0;
+  exact.link_mass_deviation = exact.trunk_com_deviation_m = 0.0;
   const ModelUncertainty uncertainty = model_uncertainty(humanoid(), exact);
   EXPECT_EQ(uncertainty.com_m, Eigen::Vector3d::Zero());
   EXPECT_EQ(uncertainty.foot_m, Eigen::Vector3d::Zero());
@@ -24,7 +25,7 @@ TEST(ModelUncertainty, ExactDescriptionHasNone) {
 
 TEST(ModelUncertainty, IsWhatRandomJointZerosDo) {
   EstimatorParameters zeros;
-  zeros.link_mass_deviation = zeros.trunk_com_deviation_m = 0.0;
+  zeros.link_mass_deviation = zeros.trunk_com_deviation_m = zeros.tilt_zero_deviation_rad = 0.0;
   const ModelUncertainty uncertainty = model_uncertainty(humanoid(), zeros);
   std::mt19937 random(11);
   std::normal_distribution<double> zero(0.0, zeros.joint_zero_deviation_rad);
@@ -49,6 +50,23 @@ TEST(ModelUncertainty, IsWhatRandomJointZerosDo) {
     EXPECT_NEAR(uncertainty.foot_m[axis], std::sqrt(foot_squares[axis]),
                 0.1 * uncertainty.foot_m[axis] + 1e-4);
   }
+}
+
+// An IMU that is mounted askew turns the body about the sole.
+TEST(ModelUncertainty, AnAskewImuLiftsNothingAndMovesTheComByItsHeight) {
+  EstimatorParameters askew;
+  askew.link_mass_deviation = askew.trunk_com_deviation_m = askew.joint_zero_deviation_rad = 0.0;
+  askew.tilt_zero_deviation_rad = 0.02;
+  SupportKinematics kinematics(humanoid());
+  kinematics.update(test::home_posture(humanoid()), Attitude{});
+  const Eigen::Vector3d com = kinematics.com_m(Side::left);
+  kinematics.level({.roll_rad = 0.0, .pitch_rad = 0.02, .yaw_rad = 0.0});
+  const double moved_m = kinematics.com_m(Side::left).x() - com.x();
+  const ModelUncertainty uncertainty = model_uncertainty(humanoid(), askew);
+  EXPECT_NEAR(uncertainty.com_m.x(), moved_m, 0.05 * moved_m);
+  EXPECT_EQ(uncertainty.com_m.x(), uncertainty.com_m.y());
+  EXPECT_EQ(uncertainty.com_m.z(), 0.0);
+  EXPECT_EQ(uncertainty.foot_m, Eigen::Vector3d::Zero());
 }
 
 TEST(ModelUncertainty, MassesAndTrunkAddToIt) {

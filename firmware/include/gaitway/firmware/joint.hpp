@@ -26,7 +26,7 @@ concept JointPort = requires(Port& port, localcontroller::JointSensors& sensors,
   { port.ticks() }
   noexcept->std::same_as<std::uint32_t>;
   { Port::kTick_ns } -> std::convertible_to<std::int64_t>;  // a whole number of nanoseconds
-  // The encoder, and the sensor channels in the units of the configuration's scales.
+  // The encoder, the sensor channels in the units of the configuration's scales, and the motor's current.
   { port.read(sensors) }
   noexcept->std::same_as<void>;
   { port.set_torque_Nm(0.0) }

@@ -121,6 +121,9 @@ void trace_fields(Fields& fields, localcontroller::JointConfig& config) {
   fields(config.lower_rad);
   fields(config.upper_rad);
   fields(config.initial_reference_count);
+  std::int32_t senses_current = config.senses_current ? 1 : 0;
+  fields(senses_current);
+  config.senses_current = senses_current != 0;
   std::int32_t trim_channel = config.trim_channel;
   fields(trim_channel);
   config.trim_channel = static_cast<int>(trim_channel);
@@ -138,6 +141,7 @@ void trace_fields(Fields& fields, localcontroller::JointSensors& sensors) {
   for (float& channel : sensors.channel) {
     fields(channel);
   }
+  fields(sensors.motor_current_Nm);
 }
 
 template <class Fields>

@@ -42,6 +42,7 @@ inline void put_frame(const can::Frame& frame, volatile MessageObject& into) noe
 struct BoardRegisters {
   std::int32_t encoder_count = 0;
   float channel[can::kFeedbackChannels] = {0.0F, 0.0F};
+  float motor_current_Nm = 0.0F;
   float torque_Nm = 0.0F;
   MessageObject received{};
   MessageObject transmit{};
@@ -69,6 +70,7 @@ class EmulatedBoard {
     for (int channel = 0; channel < can::kFeedbackChannels; ++channel) {
       sensors.channel[channel] = board_registers.channel[channel];
     }
+    sensors.motor_current_Nm = board_registers.motor_current_Nm;
   }
   void set_torque_Nm(double torque_Nm) const noexcept {
     board_registers.torque_Nm = static_cast<float>(torque_Nm);

@@ -15,7 +15,8 @@
 
 namespace gaitway::localcontroller {
 
-// A sensor channel: sampled every millisecond, sent as the mean of its last ten samples.
+// A sensor channel, or the motor's current: sampled every millisecond, sent as the mean of its last ten
+// samples.
 class SensorFilter {
  public:
   static constexpr int kSamples = static_cast<int>(facts::kSlot_ns / facts::kMillisecond_ns);
@@ -66,7 +67,8 @@ struct JointConfig {
   double speed_limit_rad_per_s = 0.0;
   double lower_rad = 0.0, upper_rad = 0.0;  // position limits that the reference never leaves
   std::int32_t initial_reference_count = 0;
-  int trim_channel = -1;  // which of the trim frame's 8 values is this joint's; -1: none
+  bool senses_current = false;  // else it tells the torque that its servo asks for
+  int trim_channel = -1;        // which of the trim frame's 8 values is this joint's; -1: none
   double trim_count_rad = 0.0;
   double trim_slew_rad_per_s = 0.0;
   double trim_limit_rad = 0.0;
@@ -77,6 +79,7 @@ struct JointConfig {
 struct JointSensors {
   std::int32_t encoder_count = 0;
   float channel[can::kFeedbackChannels] = {0.0F, 0.0F};  // in sensor units (N, rad/s, m/s², rad)
+  float motor_current_Nm = 0.0F;  // measured, times the torque constant that the motor should have
 };
 
 class JointController {
@@ -125,6 +128,7 @@ class JointController {
   Servo servo_;
   TrimSlew trim_;
   std::array<SensorFilter, can::kFeedbackChannels> channels_;
+  SensorFilter current_;
   double reference_rad_;
   double measured_rad_ = 0.0;
   double torque_Nm_ = 0.0;

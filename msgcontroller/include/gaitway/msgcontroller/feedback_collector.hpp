@@ -32,10 +32,13 @@ class FeedbackCollector {
   [[nodiscard]] JointStates& joint_states() noexcept { return joint_states_; }
   [[nodiscard]] const FootForces& foot_forces() const noexcept { return foot_forces_; }
   [[nodiscard]] const Imu& imu() const noexcept { return imu_; }
+  // Roll and pitch of the trunk against gravity: of an inclinometer that tells them, else by gyro and
+  // accelerometer.
+  [[nodiscard]] const Eigen::Vector2d& tilt_rad() const noexcept { return tilt_rad_; }
 
  private:
   void take_wrench(const urdf::SensorChannel& channel, double value) noexcept;
-  void derive_inclination(const urdf::SensorChannel& channel) noexcept;
+  void derive_tilt(const urdf::SensorChannel& channel) noexcept;
   void take_channel(const urdf::SensorChannel& channel, double value, std::int64_t now_ns) noexcept;
 
   int joint_count_;
@@ -47,8 +50,9 @@ class FeedbackCollector {
   JointStates joint_states_{};
   std::array<urdf::Foot, 2> feet_;  // [Side]
   std::array<urdf::Wrench, 2> wrench_{urdf::Wrench::Zero(), urdf::Wrench::Zero()};
-  // Without an inclinometer, roll and pitch are derived from gyro and accelerometer.
-  bool has_inclinometer_;
+  bool has_inclinometer_;  // without one the topic has what is derived from gyro and accelerometer
+  bool tells_tilt_;        // and not apparent gravity
+  Eigen::Vector2d tilt_rad_ = Eigen::Vector2d::Zero();
   unsigned imu_channels_ = 0;    // of the gyro and the accelerometer, that have come since the last time
   std::uint32_t tilt_slot_ = 0;  // in which they were derived; 0: never
   FootForces foot_forces_{};

@@ -8,6 +8,7 @@
 #include "gaitway/msgclient/mails.hpp"
 #include "gaitway/msgclient/trim_law.hpp"
 #include "gaitway/msgcontroller/bus_link.hpp"
+#include "gaitway/msgcontroller/feedback_collector.hpp"
 
 namespace gaitway::msgcontroller {
 
@@ -20,7 +21,8 @@ class TrimSender {
   void take(const msgclient::TrimUpdate& update) noexcept;
   // Once a millisecond: makes its own, by the gains of the batch that was accepted last, when the main
   // controller has sent none for too long. `heard`: this slot's feedback is in `imu`.
-  void stand_in(std::int64_t in_slot_ns, bool heard, const Imu& imu, std::uint8_t support) noexcept;
+  void stand_in(std::int64_t in_slot_ns, bool heard, const FeedbackCollector& feedback,
+                std::uint8_t support) noexcept;
   void set_gains(const msgclient::TrimGains& gains) noexcept { gains_ = gains; }
   // Gains and softness of before: as at the start.
   void forget() noexcept {

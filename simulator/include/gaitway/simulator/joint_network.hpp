@@ -14,13 +14,17 @@
 
 namespace gaitway::simulator {
 
-// Configuration of the local controller of joint `joint` (index into RobotModel::joints), standing at home.
+// Configuration of the local controller of joint `joint` (index into RobotModel::joints), standing at home,
+// as it is described.
 localcontroller::JointConfig joint_config(const urdf::RobotModel& robot, int joint);
 
 class JointNetwork {
  public:
-  // Clock drifts are drawn from the seed, uniform within ±`largest_drift_ppm`.
-  JointNetwork(const urdf::RobotModel& robot, std::uint64_t seed, double largest_drift_ppm);
+  // Clock drifts are drawn from the seed, uniform within ±`largest_drift_ppm`, and so are the servos' gains,
+  // which differ from the description's by `mismatch` times what drives of one kind differ by
+  // (BodyTruth::joints of a plant of the same seed and mismatch tells them).
+  JointNetwork(const urdf::RobotModel& robot, std::uint64_t seed, double largest_drift_ppm,
+               double mismatch = 0.0);
 
   // One servo period of every joint at the true time `now_ns`; the torques are in torque_Nm() afterwards.
   void step(std::int64_t now_ns, const PlantSensors& plant) noexcept;
@@ -45,6 +49,10 @@ class JointNetwork {
   }
   [[nodiscard]] const localcontroller::JointController& joint(int index) const noexcept {
     return joints_[static_cast<std::size_t>(index)];
+  }
+  // What its electronics was configured with; its gains are the true ones.
+  [[nodiscard]] const localcontroller::JointConfig& config(int index) const noexcept {
+    return configs_[static_cast<std::size_t>(index)];
   }
   [[nodiscard]] int size() const noexcept { return static_cast<int>(joints_.size()); }
   // The joint's own clock at a true time.

@@ -19,7 +19,8 @@ namespace gaitway::simulator {
 
 struct PlantOptions {
   std::uint64_t seed = 1;
-  // Scales what the planner does not know: link masses 5 %, trunk CoM 6/4/6 mm, joint zeros 0.4° (all σ).
+  // Scales what the planner does not know: link masses 5 %, trunk CoM 6/4/6 mm, joint zeros 0.4° (all σ), and
+  // what the parts of a robot differ by whose description says so (docs/simulator.md).
   double mismatch = 1.0;
   bool sensor_noise = true;
   Conditions conditions = {};
@@ -34,12 +35,14 @@ struct PlantOptions {
 // What the sensors read, in SI units, sensor frames; noise included.
 struct PlantSensors {
   std::vector<std::int32_t> encoder_count;  // each joint; zero error of the mismatch included
-  std::vector<double> motor_torque_Nm;      // each joint, as limited by the motor and applied
+  std::vector<double> motor_torque_Nm;      // each joint: the truth, as it is applied behind the gear
+  // Each joint, by its current sensor: what the motor gives before its gear, by the nominal torque constant.
+  std::vector<double> motor_current_Nm;
   Eigen::Vector3d angular_velocity_rad_per_s = Eigen::Vector3d::Zero();  // trunk gyro
   // Trunk accelerometer: specific force (+g on z at rest), averaged over the step.
   Eigen::Vector3d acceleration_m_per_s2 = Eigen::Vector3d::Zero();
-  // Trunk roll and pitch (rotation about z, then y, then x) against gravity: an ideal fused inclinometer,
-  // free of acceleration, without a low-pass of its own.
+  // Trunk roll and pitch (rotation about z, then y, then x): against gravity of a fused inclinometer; of a
+  // pendulum against apparent gravity, and late.
   Eigen::Vector2d inclination_rad = Eigen::Vector2d::Zero();
   // [Side][cell], as a rigid plate loads four cells: sum and moments are the contact's. A cell far behind the
   // centre of pressure reads negative, as a preloaded cell does.
@@ -65,12 +68,15 @@ struct GroundContact {
 };
 
 // A link that touches something otherwise than by standing: anything but a sole on floor, step, slope or
-// tile.
+// tile. Or another link: a robot that hits itself.
 struct BodyContact {
-  static constexpr int kFloor = -1;
-  int link = 0;          // index in RobotModel::links
-  int solid = kFloor;    // index in the world's all_solids(true)
-  double force_N = 0.0;  // normal, of all points where the two touch
+  static constexpr int kFloor = -1, kNoLink = -1;
+  int link = 0;              // index in RobotModel::links
+  int solid = kFloor;        // index in the world's all_solids(true); nothing of two links
+  double force_N = 0.0;      // normal, of all points where the two touch
+  int other_link = kNoLink;  // that `link`, which has the lower index, touches in place of a solid
+
+  [[nodiscard]] bool is_within_robot() const noexcept { return other_link != kNoLink; }
 };
 
 struct PlantTruth {
@@ -81,13 +87,37 @@ struct PlantTruth {
   double trunk_tilt_rad = 0.0;                      // against the vertical
 };
 
+// Of one IMU.
+struct ImuTruth {
+  Eigen::Matrix3d mounting = Eigen::Matrix3d::Identity();  // from the description's axes to its own
+  // What the sensor tells of the true value in its own axes: this times it, and more.
+  Eigen::Matrix3d gyro_sensitivity = Eigen::Matrix3d::Identity();
+  Eigen::Matrix3d gyro_per_acceleration_s_per_m = Eigen::Matrix3d::Zero();  // of the specific force
+  Eigen::Matrix3d accelerometer_sensitivity = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d accelerometer_zero_m_per_s2 = Eigen::Vector3d::Zero();
+  Eigen::Vector2d inclinometer_zero_rad = Eigen::Vector2d::Zero();
+  Eigen::Vector2d inclinometer_cross_axis = Eigen::Vector2d::Zero();  // share of the other angle
+};
+
+// Of one joint's motor, drive and servo: factors on what the description says, 1 and 0 for an ideal one.
+struct JointTruth {
+  double torque_constant_factor = 1.0;
+  double friction_factor = 1.0, damping_factor = 1.0;  // dry, viscous
+  double current_gain = 1.0, current_offset_Nm = 0.0;  // of its current sensor
+  double servo_stiffness_factor = 1.0, servo_damping_factor = 1.0;
+};
+
 // What the seed has drawn of the body, and its description does not say: for reports and tests alone.
 struct BodyTruth {
   std::vector<double> encoder_zero_rad;                          // of each joint
   Eigen::Vector3d trunk_com_offset_m = Eigen::Vector3d::Zero();  // from the description's
+  std::vector<double> play_factor;               // of each joint, on the condition's width of its play
+  std::array<double, 2> sole_time_factor{1, 1};  // [Side], on a contact's time constant
   std::vector<double> link_mass_kg;
-  std::array<std::array<double, 4>, 2> cell_gain{};  // [Side]; 0: a dead one
-  Eigen::Vector3d gyro_bias_rad_per_s = Eigen::Vector3d::Zero();
+  std::array<std::array<double, 4>, 2> cell_gain{};               // [Side]; 0: a dead one
+  Eigen::Vector3d gyro_bias_rad_per_s = Eigen::Vector3d::Zero();  // as it is by now
+  ImuTruth imu;
+  std::vector<JointTruth> joints;
 };
 
 // A bare replay of recorded torques.
@@ -110,15 +140,16 @@ class Plant {
 
   // Advances one physics step. `command_Nm`: torque asked of each motor. The motor gives at most its limit,
   // fading to zero at its speed limit when it drives in the direction of motion; braking it gives the full
-  // limit. What the motor gives is rounded to single precision. Throws std::invalid_argument for a wrong
-  // number of torques or one that is not finite.
+  // limit. With a mismatch its torque constant is another one, its gear loses torque, heat and a sagging
+  // supply lower its limits. What is applied is rounded to single precision. Throws std::invalid_argument for
+  // a wrong number of torques or one that is not finite.
   void step(std::span<const double> command_Nm);
 
   [[nodiscard]] const PlantSensors& sensors() const noexcept;  // of the present instant
   [[nodiscard]] PlantTruth truth() const;
   [[nodiscard]] BodyTruth body_truth() const;
   [[nodiscard]] const GroundContact& ground_contact() const noexcept;
-  // Of the last step, each pair of link and solid once.
+  // Of the last step, each pair of link and solid, and of links, once.
   [[nodiscard]] std::span<const BodyContact> body_contacts() const noexcept;
   [[nodiscard]] const std::optional<world::World>& world() const noexcept;
   // The world's all_solids(true) as they lie now; nothing without a world.

@@ -143,8 +143,13 @@ struct Leg {
   std::array<int, 6> joints{};  // indices: three of the hip, the knee, two of the ankle
 };
 
+// What an inclinometer tells. A pendulum, as an accelerometer, takes each acceleration of the body for a
+// tilt; a module that fuses it with a gyro of its own tells roll and pitch against gravity.
+enum class Inclinometer : std::uint8_t { fused, pendulum };
+
 struct Imu {
   int link = 0;
+  Inclinometer inclinometer = Inclinometer::fused;         // if it carries one
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  // sensor frame in the link
 
   // What the sensor feels along its own axes, along the link's; roll and pitch against gravity likewise.
@@ -203,6 +208,8 @@ struct RobotModel {
   std::array<Leg, 2> legs;                             // [Side]
   Imu imu;
   SensorNoise noise;
+  // Of the simulated robot: scales what IMU, motors, servos, soles and play differ by from their description.
+  double parts_deviation = 0.0;
   Contact contact;
   TrimSettings trim;
   NetworkSettings network;

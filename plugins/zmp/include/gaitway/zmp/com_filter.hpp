@@ -24,6 +24,9 @@ class ComFilter {
   void predict(double acceleration_m_per_s2) noexcept;
   void correct(double measured_position_m) noexcept;
 
+  // The body has not moved, but where it is is known better.
+  void shift(double by_m) noexcept { state_[0] += by_m; }
+
   [[nodiscard]] double position_m() const noexcept { return state_[0]; }
   [[nodiscard]] double velocity_m_per_s() const noexcept { return state_[1]; }
   [[nodiscard]] double unexplained_m_per_s2() const noexcept { return state_[2]; }

@@ -16,8 +16,8 @@ struct EstimatorParameters {
 
   // Attitude. Noise: standard deviation of one sample, the mean over 10 ms.
   double gyro_noise_rad_per_s = 0.0035;
-  double tilt_noise_rad = 0.001;             // of the inclinometer
-  double accelerometer_band_m_per_s2 = 6.0;  // without inclinometer: specific forces further from g, of a
+  double tilt_noise_rad = 0.001;             // of an inclinometer that tells roll and pitch
+  double accelerometer_band_m_per_s2 = 6.0;  // with none: specific forces further from g, of a
                                              // shock or a fall, are not used
   double rate_filter_s = 0.0;                // low-pass of the angular velocity; 0: none
   double bias_deviation_rad_per_s = 0.005;   // of the gyro's bias, each axis
@@ -47,6 +47,7 @@ struct EstimatorParameters {
   double link_mass_deviation = 0.05;     // of each link, as a share
   double trunk_com_deviation_m = 0.005;  // each axis
   double joint_zero_deviation_rad = 0.007;
+  double tilt_zero_deviation_rad = 0.0;  // of the IMU's roll and pitch, as it is mounted
 
   // Noise densities of the filter of CoM position and velocity.
   double com_noise_m = 0.0005;                   // of the kinematics' CoM, one sample

@@ -48,12 +48,15 @@ class StateEstimator {
     archive(self.contacts_, self.cells_, self.attitude_, self.com_, self.com_offset_, self.angular_velocity_,
             self.zmp_m_, self.zmp_variance_, self.support_, self.frame_heading_rad_, self.started_,
             self.blind_ticks_, self.predicted_ticks_, self.settling_ticks_, self.last_measured_m_,
-            self.feet_planted_, self.slip_, self.fall_, self.inputs_, self.load_model_, self.odometry_);
+            self.turned_attitude_, self.calm_slots_, self.feet_planted_, self.slip_, self.fall_, self.inputs_,
+            self.load_model_, self.odometry_);
   }
 
  private:
   void update_attitude() noexcept;
-  void correct_by_accelerometer(const Eigen::Vector3d& force_m_per_s2) noexcept;
+  void correct_tilt() noexcept;
+  void place_body() noexcept;
+  [[nodiscard]] bool begin_tilt(const Eigen::Vector3d& force_m_per_s2) noexcept;  // false: not yet
   void hold_heading() noexcept;
   void update_pressure() noexcept;
   void update_slip() noexcept;
@@ -80,9 +83,12 @@ class StateEstimator {
   SensorInputs inputs_;
   ContactDetector contacts_;
   bool senses_load_;
+  bool senses_tilt_;          // an inclinometer that tells roll and pitch, not apparent gravity
   FootLoadModel load_model_;  // speaks where the feet do not
   CellCalibration cells_;
   AttitudeFilter attitude_;
+  Attitude turned_attitude_;  // that of the last tick, turned on by the gyro alone
+  int calm_slots_ = 0;
   PlantedFeet feet_planted_;
   ModelUncertainty model_uncertainty_;
   SupportKinematics kinematics_;

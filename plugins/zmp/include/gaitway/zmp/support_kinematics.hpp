@@ -19,14 +19,16 @@ namespace gaitway::zmp {
 class SupportKinematics {
  public:
   explicit SupportKinematics(const urdf::RobotModel& model) : kinematics_(model), trunk_(model.imu.link) {
-    update_levels(Attitude{});
+    level(Attitude{});
   }
 
   // position_rad: one angle a joint, in the model's order. Attitude of the link that carries the IMU.
   void update(std::span<const double> position_rad, const Attitude& attitude) noexcept {
     kinematics_.compute(position_rad);
-    update_levels(attitude);
+    level(attitude);
   }
+  // The same posture with another attitude.
+  void level(const Attitude& attitude) noexcept;
 
   // CoM in the level frame of a foot, m.
   [[nodiscard]] Eigen::Vector3d com_m(urdf::Side foot) const noexcept;
@@ -58,8 +60,6 @@ class SupportKinematics {
   [[nodiscard]] Eigen::Matrix3d turn(urdf::Side to, urdf::Side from) const noexcept;
 
  private:
-  void update_levels(const Attitude& attitude) noexcept;
-
   urdf::ForwardKinematics kinematics_;
   int trunk_;
   std::array<Eigen::Isometry3d, 2> base_from_sole_;

@@ -33,7 +33,7 @@ struct Trial {
   double ended_s = 0.0;             // when it fell, or the flight's end
   double largest_tilt_rad = 0.0;    // of the trunk against the vertical
   std::uint64_t body_contacts = 0;  // milliseconds in which something but a sole touched something
-  std::string first_contact;        // link and solid; empty: none
+  std::string first_contact;        // link and solid, or two links; empty: none
   std::uint64_t refused_batches = 0;
   // Why the robot did not do what it was asked, in its own words: a motion that was refused, a way that there
   // is not; or what the simulation threw. Empty: it did.
