@@ -41,16 +41,16 @@ class ImuModel {
   ImuModel(std::uint64_t seed, double deviations, double step_s);
 
   // The IMU's own axes, in those that the description gives it.
-  [[nodiscard]] const Eigen::Matrix3d& mounting() const noexcept { return described_from_true_; }
+  [[nodiscard]] const Eigen::Matrix3d& mounting() const noexcept { return truth_.mounting; }
 
   struct Reading {
     Eigen::Vector3d angular_velocity_rad_per_s, acceleration_m_per_s2;
     Eigen::Vector2d inclination_rad;
   };
   // One physics step later: what the sensors say, without noise, of the true turn rate and specific force in
-  // the IMU's own axes (those of mounting()). `constant_bias`: of the gyro, beside its walk.
-  [[nodiscard]] Reading step(const Eigen::Vector3d& turn_rad_per_s, const Eigen::Vector3d& force_m_per_s2,
-                             const Eigen::Vector3d& constant_bias_rad_per_s) noexcept;
+  // the IMU's own axes (those of mounting()).
+  [[nodiscard]] Reading step(const Eigen::Vector3d& turn_rad_per_s,
+                             const Eigen::Vector3d& force_m_per_s2) noexcept;
   // The pendulum hangs still along this force.
   void settle(const Eigen::Vector3d& force_m_per_s2) noexcept;
 
@@ -63,7 +63,6 @@ class ImuModel {
   double step_s_, walk_per_step_;
   InclinometerPendulum pendulum_;
   ImuTruth truth_;
-  Eigen::Matrix3d described_from_true_ = Eigen::Matrix3d::Identity();
   Eigen::Vector3d walked_bias_ = Eigen::Vector3d::Zero();
   Eigen::Vector2d hangs_rad_ = Eigen::Vector2d::Zero(), swings_rad_per_s_ = Eigen::Vector2d::Zero();
 };

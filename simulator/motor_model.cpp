@@ -19,7 +19,8 @@ constexpr double kLargestGearLoss = 0.5, kLargestDerating = 0.9, kLargestSag = 0
 constexpr double kMostFrictionOctaves = 3.0;
 
 // The gear's loss is reckoned with the speed at the beginning of a step. As long as it takes no more than
-// this share of a bare rotor's speed within the step, it damps and does not swing.
+// this share of a bare rotor's speed within the step, it damps and does not swing. Of rotors lighter than
+// those of such robots it would take more; with the link behind them it does not.
 constexpr double kLargestDampingOfAStep = 0.5;
 constexpr double kSlowestGearShare = 1.0 / 80.0, kFastestGearShare = 0.25;  // of the speed limit
 

@@ -167,16 +167,17 @@ void Plant::Implementation::read_sensors(bool first) {
   };
   const Eigen::Vector3d force = specific_force(0, motion.linear, axes);
   if (first) imu_model.settle(force);
-  const ImuModel::Reading read =
-      imu_model.step(axes.transpose() * motion.angular, force, gyro_bias_rad_per_s);
+  const ImuModel::Reading read = imu_model.step(axes.transpose() * motion.angular, force);
   sensors.acceleration_m_per_s2 = read.acceleration_m_per_s2;
   sensors.angular_velocity_rad_per_s = read.angular_velocity_rad_per_s;
   sensors.inclination_rad = robot.imu.inclinometer == urdf::Inclinometer::pendulum
                                 ? read.inclination_rad
                                 : geometry::tilt_at_rest(imu.linear().row(2));
   for (double& value : sensors.acceleration_m_per_s2) value += sigma.acceleration_m_per_s2 * normal();
-  for (double& value : sensors.angular_velocity_rad_per_s)
-    value += sigma.angular_velocity_rad_per_s * normal();
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    sensors.angular_velocity_rad_per_s[axis] +=
+        gyro_bias_rad_per_s[axis] + sigma.angular_velocity_rad_per_s * normal();
+  }
   for (double& value : sensors.inclination_rad) value += sigma.inclination_rad * normal();
   for (std::size_t foot = 0; foot < 2; ++foot) {
     const PointVelocity velocity =

@@ -11,7 +11,7 @@ namespace gaitway::simulator {
 namespace {
 
 // Nearer than this is touching: rounding decides whether faces that lie flush are apart.
-constexpr double kTouching_m = 0.001;
+constexpr double kTouching_m = 0.001;       // of a body like humanoid22
 constexpr double kAboveTheWorld_m = 100.0;  // where the robot touches nothing but itself
 constexpr int kSignatureBits = 16;          // of a body, in the signature of an excluded pair
 
@@ -79,7 +79,8 @@ std::vector<LinkPair> neighbouring_links(const urdf::RobotModel& robot) {
 
 std::vector<LinkPair> touching_at_home(mjModel& model, const urdf::RobotModel& robot) {
   const int links = static_cast<int>(robot.links.size());
-  set_margin(model, links, kTouching_m);
+  const double touching_m = kTouching_m * robot.body_scale().factor("m");
+  set_margin(model, links, touching_m);
   const DataPointer data = data_at_home(model, robot);
   mj_collision(&model, data.get());
   set_margin(model, links, 0.0);
@@ -88,7 +89,7 @@ std::vector<LinkPair> touching_at_home(mjModel& model, const urdf::RobotModel& r
     const mjContact& contact = data->contact[i];
     const LinkPair pair = links_of(model.geom_bodyid[contact.geom[0]], model.geom_bodyid[contact.geom[1]]);
     const bool is_own = pair.one >= 0 && pair.other < links;
-    if (is_own && contact.dist < kTouching_m && std::ranges::find(pairs, pair) == pairs.end()) {
+    if (is_own && contact.dist < touching_m && std::ranges::find(pairs, pair) == pairs.end()) {
       pairs.push_back(pair);
     }
   }

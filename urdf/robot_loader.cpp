@@ -240,6 +240,10 @@ class Assembly {
     constexpr double kUpright = 0.5;  // cosine of 60 deg
     const ForwardKinematics home(model_);
     const Eigen::Matrix3d sensor = home.link_rotation(model_.imu.link) * model_.imu.pose.linear();
+    if (!model_.carries(SensorKind::inclination) && model_.imu.inclinometer == Inclinometer::pendulum) {
+      refuse_network(network_.imu_line, "imu.inclinometer", "pendulum",
+                     "no joint carries inclination channels", "Name its channels, or leave this key out");
+    }
     if (!model_.carries(SensorKind::inclination) || sensor(2, 2) > kUpright) return;
     refuse_network(
         network_.imu_line, "imu.rotation_rpy_deg", "",

@@ -16,9 +16,16 @@ namespace {
 // zero of 0.005 g.
 constexpr double kUnaligned_rad = 0.011;
 
+// Where nothing tells the tilt of a robot that walks, the gyro's bias must be followed as it walks itself,
+// some 0.01 °/s in the root of a second: in so long a bias of `bias_deviation` becomes another one.
+constexpr double kBiasLifetime_s = 1600.0;
+
 EstimatorParameters parameters_of(Setup& setup, const urdf::RobotModel& robot) {
   EstimatorParameters p;
-  if (robot.imu.inclinometer == urdf::Inclinometer::pendulum) p.tilt_zero_deviation_rad = kUnaligned_rad;
+  if (robot.imu.inclinometer == urdf::Inclinometer::pendulum) {
+    p.tilt_zero_deviation_rad = kUnaligned_rad;
+    p.bias_lifetime_s = kBiasLifetime_s;
+  }
   scale_to_body(p.numbers(), robot.body_scale());
   setup.parameters(p.numbers());
   return p;

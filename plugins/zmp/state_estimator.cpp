@@ -96,6 +96,7 @@ void StateEstimator::place_body() noexcept {
   if (!started_ || senses_tilt_) return;
   const Eigen::Vector3d learned_m = kinematics_.com_m(support_) - before_m;
   for (std::size_t axis = 0; axis < 3; ++axis) com_[axis].shift(learned_m[static_cast<Eigen::Index>(axis)]);
+  last_measured_m_ += learned_m;
 }
 
 void StateEstimator::update_attitude() noexcept {

@@ -3,6 +3,7 @@
 // without inclinometer and foot accelerometers.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <string>
 
@@ -54,6 +55,34 @@ INSTANTIATE_TEST_SUITE_P(
                                   variant.take_foot_accelerometers();
                                 }}),
     [](const auto& tested) { return tested.param.name; });
+
+// The gyro's bias walks, and nothing but the accelerations of a walk tells which way is up.
+TEST(RealParts, TiltIsKnownOnALongWalk) {
+  RobotVariant variant;
+  variant.build_of_real_parts();
+  const urdf::RobotModel robot = urdf::load_robot(variant.folder());
+  for (int seed = 1; seed <= seeds(2); ++seed) {
+    auto run = SimulatedRun::of_robot(static_cast<std::uint64_t>(seed), robot);
+    run.apply(walk_at(2.0, 0.2));
+    auto reader = run.cosimulation.client().read<Estimate>("estimate");
+    const auto error = [&]() -> Eigen::Vector2d {
+      Estimate estimate{};
+      EXPECT_TRUE(reader.read(estimate));
+      const Eigen::Vector3d up = run.cosimulation.plant().truth().trunk.linear().row(2);
+      return {estimate.attitude[0] - std::atan2(up.y(), up.z()),
+              estimate.attitude[1] - std::atan2(-up.x(), std::hypot(up.y(), up.z()))};
+    };
+    Eigen::Vector2d first = Eigen::Vector2d::Zero();  // mean of a minute: how the IMU is mounted
+    Eigen::Vector2d last = Eigen::Vector2d::Zero();
+    for (double until_s = 0.5; until_s <= 420.0 && !run.metrics().fell; until_s += 0.5) {
+      while (run.time_s() < until_s) run.cosimulation.advance_millisecond();
+      if (until_s > 60.0 && until_s <= 120.0) first += error() / 120.0;
+      if (until_s > 360.0) last += error() / 120.0;
+    }
+    EXPECT_FALSE(run.metrics().fell) << "seed " << seed;
+    EXPECT_LT((last - first).norm(), 0.015) << "seed " << seed;
+  }
+}
 
 }  // namespace
 }  // namespace gaitway::scenarios

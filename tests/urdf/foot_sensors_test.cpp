@@ -43,6 +43,14 @@ TEST(FootSensors, MayBeNone) {
   EXPECT_FALSE(robot.carries(SensorKind::foot_acceleration));
 }
 
+TEST(Inclinometer, ThatIsNotCarriedIsNoPendulum) {
+  RobotVariant variant;
+  variant.build_of_real_parts();
+  EXPECT_EQ(load_robot(variant.folder()).imu.inclinometer, Inclinometer::pendulum);
+  variant.take_inclinometer();
+  EXPECT_THROW(static_cast<void>(load_robot(variant.folder())), RobotError);
+}
+
 TEST(FootSensors, AWrenchIsTheSameForceAtTheSamePlaceWhereverTheSensorSits) {
   RobotVariant variant;
   variant.give_six_axis_feet();
