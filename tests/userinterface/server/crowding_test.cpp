@@ -11,6 +11,7 @@
 #include <chrono>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -26,6 +27,7 @@ namespace {
 
 using testing::StartsWith;
 
+constexpr std::string_view kLetIn = "HTTP/1.1 101 ";
 constexpr std::size_t kPlaces = 4;
 constexpr std::int64_t kLong_ns = 600'000'000'000;  // nothing ends by its deadline here
 
@@ -55,10 +57,25 @@ class CrowdingTest : public testing::Test {
   // With the right token, and so authorised.
   std::unique_ptr<RawClient> let_in(RunningServer& server, process::FileDescriptor socket = tcp_socket()) {
     auto client = std::make_unique<RawClient>(std::move(socket), server.port());
-    ++accepted_;
-    client->send(upgrade_request("Authorization: Bearer " + std::string(SecretFiles::kToken) + "\r\n"));
-    EXPECT_THAT(client->receive_header(), StartsWith("HTTP/1.1 101 "));
+    EXPECT_THAT(answer_to_token(*client), StartsWith(std::string(kLetIn)));
     return client;
+  }
+  // Likewise. One that is crowded out before it could say who it is, since the computer is busy, tries again.
+  std::unique_ptr<RawClient> let_in_at_last(RunningServer& server) {
+    constexpr int kTries = 3;
+    std::unique_ptr<RawClient> client;
+    bool is_in = false;
+    for (int i = 0; i < kTries && !is_in; ++i) {
+      client = std::make_unique<RawClient>(tcp_socket(), server.port());
+      is_in = answer_to_token(*client).starts_with(kLetIn);
+    }
+    EXPECT_TRUE(is_in);
+    return client;
+  }
+  std::string answer_to_token(RawClient& client) {
+    ++accepted_;
+    client.send(upgrade_request("Authorization: Bearer " + std::string(SecretFiles::kToken) + "\r\n"));
+    return client.receive_header();
   }
   static bool echoes(RawClient& client) {
     client.send(masked_frame(kText, "hello"));
@@ -227,7 +244,7 @@ TEST_F(CrowdingTest, WhoRenewsHisSocketsLocksNobodyOut) {
   Clients clients;
   for (std::size_t count = 0; count < kTries; ++count) {
     const auto begin = std::chrono::steady_clock::now();
-    clients.push_back(let_in(server));
+    clients.push_back(let_in_at_last(server));
     EXPECT_TRUE(echoes(*clients.back())) << count;
     EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(1));
   }
