@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <array>
 #include <fstream>
@@ -25,7 +26,8 @@ class BehaviourCrashes : public testing::TestWithParam<int> {
  protected:
   [[nodiscard]] static BehaviourRunOptions sabotaged(const Crash& way, const FaultInstant& instant,
                                                      double duration_s, unsigned seed) {
-    const std::string mission = testing::TempDir() + "walks_and_looks_" + way.name + ".xml";
+    const std::string mission =
+        fmt::format("{}walks_and_looks_{}_{}.xml", testing::TempDir(), way.name, getpid());
     std::ofstream(mission) << kWalksAndLooksAround;
     return {.seed = seed,
             .mission = mission,

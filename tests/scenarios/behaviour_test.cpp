@@ -1,6 +1,8 @@
 // Missions run by the whole chain: falls, getting up, giving up, persons who take over.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -19,7 +21,7 @@ namespace states = behaviour_state::state;
 
 // A tree of these nodes, in a file of its own.
 std::string mission_of(const std::string& name, std::string_view nodes) {
-  const std::string file = testing::TempDir() + "mission_" + name + ".xml";
+  const std::string file = fmt::format("{}mission_{}_{}.xml", testing::TempDir(), name, getpid());
   std::ofstream(file) << R"(<root BTCPP_format="4" main_tree_to_execute="Main"><BehaviorTree ID="Main">)"
                       << nodes
                       << R"(</BehaviorTree><BehaviorTree ID="StandUp"><GetUp/></BehaviorTree></root>)";
