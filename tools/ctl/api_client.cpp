@@ -25,6 +25,8 @@ constexpr std::chrono::milliseconds kBetweenTries{100};
 
 // The API is there, its robot is not.
 constexpr std::string_view kAbsence = "the robot is not there: ";
+// Of one that went away again before it was ordered.
+constexpr std::string_view kPastAbsence = "the robot was not there for a while: ";
 
 // What it says of that; empty: the robot is there.
 std::string absence(const ApiClient::ServiceAnswer& answer, const json& values) {
@@ -95,7 +97,8 @@ ApiClient::ServiceAnswer ApiClient::call(const std::string& service, const json&
 }
 
 bool ApiClient::await_return(const std::string& topic, std::string_view problem) {
-  if (!problem.starts_with(kAbsence) || !wait_.once_more(fmt::format("{}: {}.", topic, problem))) {
+  const bool away = problem.starts_with(kAbsence) || problem.starts_with(kPastAbsence);
+  if (!away || !wait_.once_more(fmt::format("{}: {}.", topic, problem))) {
     return false;
   }
   connect();

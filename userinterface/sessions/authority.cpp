@@ -45,7 +45,7 @@ std::string Authority::acquire(Claimant& claimant, std::int64_t now_ns) {
   expire(now_ns);
   require_free_for(claimant);
   claimant.tried_ns = now_ns;
-  claimant.stops_seen = stops_;
+  see_all(claimant);
   grant(claimant, now_ns);
   return lease_->id;
 }
@@ -57,10 +57,13 @@ void Authority::use(Claimant& claimant, std::int64_t now_ns) {
   require_free_for(claimant);
   if (!let_go && claimant.stops_seen != stops_) {
     throw CommandDenied(
-        "the robot was stopped by somebody else, or was not there for a while: let go for a while, or call "
-        "/command/acquire, to go on");
+        "the robot was stopped by somebody else: let go for a while, or call /command/acquire, to go on");
   }
-  claimant.stops_seen = stops_;
+  if (!let_go && claimant.absences_seen != absences_) {
+    throw CommandDenied(
+        "the robot was not there for a while: let go for a while, or call /command/acquire, to go on");
+  }
+  see_all(claimant);
   grant(claimant, now_ns);
 }
 
@@ -93,6 +96,16 @@ void Authority::stop(Claimant& by) noexcept {
 void Authority::end_all() noexcept {
   ++stops_;
   lease_.reset();
+}
+
+void Authority::lose_all() noexcept {
+  ++absences_;
+  lease_.reset();
+}
+
+void Authority::see_all(Claimant& claimant) const noexcept {
+  claimant.stops_seen = stops_;
+  claimant.absences_seen = absences_;
 }
 
 bool Authority::lapse(std::int64_t now_ns) noexcept {

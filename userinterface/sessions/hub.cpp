@@ -50,7 +50,7 @@ std::unique_ptr<Session> Hub::open(Connection& connection, std::string peer, boo
   Claimant claimant;
   claimant.number = ++state_->last_number;
   claimant.name = std::move(peer);
-  claimant.stops_seen = state_->commands.authority().stops();
+  state_->commands.authority().see_all(claimant);
   return std::make_unique<ClientSession>(*state_, connection, std::move(claimant), authorised);
 }
 

@@ -226,7 +226,7 @@ void RobotCommands::release(const Claimant& claimant, std::string_view lease, st
 }
 
 void RobotCommands::robot_lost() noexcept {
-  authority_.end_all();
+  authority_.lose_all();
   walks_ = false;  // its own side sees to that it stands
   way_of_.reset();
 }

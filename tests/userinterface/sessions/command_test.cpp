@@ -259,6 +259,17 @@ TEST_F(CommandTest, WhoStoppedMayDriveOn) {
   EXPECT_THAT(robot.told, ElementsAre("walk", "stop", "stand", "walk"));
 }
 
+// It is told from a stop: programs may wait for a robot and try again, but not for people.
+TEST_F(CommandTest, AHeldStickDoesNotUndoAnAbsence) {
+  anna->drive(0.1);
+  hub.robot_lost();
+  anna->drive(0.1);
+  EXPECT_THAT(anna->receive_one()["msg"], HasSubstr("the robot was not there for a while: let go"));
+  pass(kSecond_ns);
+  anna->drive(0.1);
+  EXPECT_THAT(robot.told, ElementsAre("walk", "walk"));
+}
+
 TEST_F(CommandTest, IsRefusedWhileTheRobotIsNotThere) {
   robot.is_connected = false;
   anna->drive(0.1);

@@ -20,6 +20,7 @@ struct Claimant {
   std::uint64_t number = 0;                // never 0, never given twice
   std::string name;                        // for people: its address, or as it calls itself
   std::uint64_t stops_seen = 0;            // up to which it may take the command without asking for it
+  std::uint64_t absences_seen = 0;         // of the robot, likewise
   std::optional<std::int64_t> tried_ns{};  // its latest command, granted or not
   std::int64_t age_ns = 0;                 // so long ago, at most, it sent what is carried out now
   bool overtaken = false;                  // what it asks for was sent before a stop that it has called since
@@ -50,16 +51,20 @@ class Authority {
   bool leave(const Claimant& claimant) noexcept;
   // Somebody has stopped the robot: nobody else commands it any more.
   void stop(Claimant& by) noexcept;
-  // The way to the robot was lost, or no claimant of ours stopped it: nobody commands it any more.
+  // No claimant of ours stopped it: nobody commands it any more.
   void end_all() noexcept;
+  // The way to the robot was lost: nobody commands it any more.
+  void lose_all() noexcept;
   // True: a lease has run out since this was asked last.
   bool lapse(std::int64_t now_ns) noexcept;
 
   [[nodiscard]] bool held_by(const Claimant& claimant) const noexcept;
   // Name of who commands; empty: nobody.
   [[nodiscard]] std::string_view holder() const noexcept;
-  // So many stops so far: what a new claimant has seen.
-  [[nodiscard]] std::uint64_t stops() const noexcept { return stops_; }
+  // So many stops and absences of the robot so far.
+  [[nodiscard]] std::uint64_t stops() const noexcept { return stops_ + absences_; }
+  // Of all of them, as of a claimant that is new.
+  void see_all(Claimant& claimant) const noexcept;
 
  private:
   struct Lease {
@@ -75,7 +80,7 @@ class Authority {
   std::int64_t lease_ns_;
   std::optional<Lease> lease_;
   bool lapsed_ = false;
-  std::uint64_t stops_ = 0;
+  std::uint64_t stops_ = 0, absences_ = 0;
 };
 
 }  // namespace gaitway::api
