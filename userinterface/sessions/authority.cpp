@@ -87,7 +87,7 @@ bool Authority::leave(const Claimant& claimant) noexcept {
 
 void Authority::stop(Claimant& by) noexcept {
   ++stops_;
-  by.stops_seen = stops_;
+  see_all(by);
   if (!held_by(by)) {
     lease_.reset();
   }

@@ -270,6 +270,14 @@ TEST_F(CommandTest, AHeldStickDoesNotUndoAnAbsence) {
   EXPECT_THAT(robot.told, ElementsAre("walk", "walk"));
 }
 
+TEST_F(CommandTest, WhoStoppedARobotThatWasAwayMayDriveOn) {
+  anna->drive(0.1);
+  hub.robot_lost();
+  anna->send({{"op", "call_service"}, {"service", "/stop"}});
+  anna->drive(0.1);
+  EXPECT_THAT(robot.told, ElementsAre("walk", "stop", "stand", "walk"));
+}
+
 TEST_F(CommandTest, IsRefusedWhileTheRobotIsNotThere) {
   robot.is_connected = false;
   anna->drive(0.1);
