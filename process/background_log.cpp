@@ -112,6 +112,7 @@ class BackgroundLog::Desk {
       sleeps_.store(false, std::memory_order_seq_cst);
     }
     tell_losses(monotonic_ns() + kOver_ns);
+    file_.close();  // before others hear that it is over: they may open it at once
     over_.give();
   }
 
@@ -181,7 +182,7 @@ class BackgroundLog::Desk {
   std::string block_, reason_;
   bool losing_ = false, dirty_ = false;
   std::uint64_t seen_lost_ = 0, seen_on_disk_ = 0, told_lost_ = 0, gap_lines_ = 0, lost_gap_lines_ = 0;
-  std::int64_t lost_at_ns_ = 0, synced_ns_ = 0;
+  std::int64_t lost_at_ns_ = 0, synced_ns_ = monotonic_ns();
 
   std::vector<char> ring_;
   std::atomic<std::uint64_t> added_{0}, taken_{0};                                 // bytes

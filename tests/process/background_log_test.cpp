@@ -15,6 +15,7 @@
 #include <fstream>
 #include <iterator>
 #include <mutex>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -91,6 +92,15 @@ TEST_F(BackgroundLogTest, ALineArrivesByItself) {
     }
     ASSERT_EQ(log.count().lines, static_cast<std::uint64_t>(i));
   }
+}
+
+// A process that is started again writes where the one before ended.
+TEST_F(BackgroundLogTest, ItsFileIsFreeOnceItIsClosed) {
+  BackgroundLog log{LogFile(file)};
+  log.add(line(1));
+  EXPECT_THROW(LogFile{file}, std::runtime_error) << "two may not write it";
+  EXPECT_EQ(log.close().lines, 1U);
+  EXPECT_NO_THROW(LogFile(file, {.start = LogOptions::Start::go_on}));
 }
 
 // A pipe that nobody reads, as a disk that takes nothing for minutes, or a terminal that was halted.

@@ -44,8 +44,8 @@ class BackgroundLog {
   // One thread, in real time: one line, with its end, is copied; no allocation, no lock, and one system call
   // at most, that wakes the log's thread. False: there was no room, and the line is lost.
   bool add(std::string_view line) noexcept;
-  // Writes what waits, and ends. A disk that takes nothing for half a second is left to itself. What has not
-  // arrived by then counts as lost.
+  // Writes what waits, and ends: others may write the file then. A disk that takes nothing for half a second
+  // is left to itself. What has not arrived by then counts as lost.
   LogCount close() noexcept;
   // Any thread, so far.
   [[nodiscard]] LogCount count() const noexcept;

@@ -39,6 +39,8 @@ class LogFile {
   bool append(std::string_view lines) noexcept;
   // Down to the disk itself, so that not even a power cut takes away what was appended.
   void sync() noexcept;
+  // Others may write it from now on, and nothing more may be appended.
+  void close() noexcept { own_ = FileDescriptor(); }
 
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
   [[nodiscard]] std::uint64_t lines() const noexcept { return lines_; }
