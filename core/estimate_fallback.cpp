@@ -60,10 +60,7 @@ EstimateFallback::EstimateFallback(const FallbackSource& source)
       imu_reader_(source.client.read<Imu>("imu")),
       force_reader_(source.client.read<FootForces>("foot_forces")),
       plan_reader_(source.client.read<MotionPlan>("motion_plan")),
-      estimate_reader_(source.client.read<Estimate>("estimate")) {
-  tells_tilt_ =
-      robot_.carries(urdf::SensorKind::inclination) && robot_.imu.inclinometer == urdf::Inclinometer::fused;
-}
+      estimate_reader_(source.client.read<Estimate>("estimate")) {}
 
 // Learns the gyro's bias from what the estimator makes of the gyro.
 void EstimateFallback::follow(const Tick& tick) noexcept {
@@ -90,7 +87,7 @@ void EstimateFallback::take_turn(const Tick& tick) noexcept {
 
 // A pendulum feels the accelerations that the accelerometer feels, and late.
 std::optional<Eigen::Vector2d> EstimateFallback::measured_tilt() const noexcept {
-  if (tells_tilt_) {
+  if (robot_.senses_tilt()) {
     return Eigen::Vector2d(imu_.inclination[0], imu_.inclination[1]);
   }
   const Eigen::Vector3d f = vector(imu_.acceleration);

@@ -47,7 +47,6 @@ class EstimateFallback final : public Fallback {
   urdf::Neck neck_;
   double slower_;  // than humanoid22: of its times
   double weight_N_;
-  bool tells_tilt_ = false;  // the inclinometer, and not apparent gravity
   msgclient::Reader<JointStates> joint_reader_;
   msgclient::Reader<Imu> imu_reader_;
   msgclient::Reader<FootForces> force_reader_;

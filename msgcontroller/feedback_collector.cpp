@@ -25,7 +25,7 @@ FeedbackCollector::FeedbackCollector(const urdf::RobotModel& robot, std::span<co
       channels_(robot.channels),
       feet_(robot.feet),
       has_inclinometer_(robot.carries(urdf::SensorKind::inclination)),
-      tells_tilt_(has_inclinometer_ && robot.imu.inclinometer == urdf::Inclinometer::fused),
+      tells_tilt_(robot.senses_tilt()),
       sensor_(robot.imu) {
   joint_states_.joint_count = static_cast<std::uint32_t>(joint_count_);
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {

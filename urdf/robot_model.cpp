@@ -77,6 +77,10 @@ bool RobotModel::carries(SensorKind kind) const noexcept {
       channels, [kind](const auto& joint) { return joint[0].kind == kind || joint[1].kind == kind; });
 }
 
+bool RobotModel::senses_tilt() const noexcept {
+  return carries(SensorKind::inclination) && imu.inclinometer == Inclinometer::fused;
+}
+
 double RobotModel::total_mass_kg() const noexcept {
   double mass_kg = 0.0;
   for (const Link& link : links) {

@@ -17,21 +17,8 @@ constexpr int kMostBlindTicks = 10;
 // moved meanwhile is no sign of how fast it is now.
 constexpr int kMostUnpredictedSlots = 2;
 constexpr int kLongestMeanSlots = 25;  // over which the mean velocity says something about the present one
-constexpr int kLongestGapSlots = 10;   // of the IMU; after a longer one, roll and pitch start anew
-// After longer ones the filters take so long until their velocities say whether the body falls.
+// After a longer gap the filters take so long until their velocities say whether the body falls.
 constexpr int kSettlingTicks = 15;
-// Of the accelerometer, one sample. A walk's accelerations are alike from one
-// sample to the next, so it is taken for larger than it is.
-constexpr double kRestlessTilt_rad = 0.2;
-constexpr double kRest_m_per_s2 = 1.0;    // from gravity, of a body that is hardly accelerated
-constexpr double kLevelSoles_rad = 0.02;  // deviation of soles on a floor, by joint zeros and the floor
-// Of a body that has been calm for so long a pendulum hangs at rest: what it tells of one that moves is where
-// the accelerations point, and late.
-constexpr double kHangingTilt_rad = 0.05;
-constexpr double kCalm_rad_per_s = 0.1;
-constexpr double kCalm_m_per_s2 = 0.5;  // from gravity
-constexpr int kCalmSlots = 15;
-constexpr double kGainsaid_rad = 0.35;
 
 const EstimatorParameters& checked(const EstimatorParameters& parameters) {
   parameters.validate();
@@ -55,8 +42,7 @@ StateEstimator::StateEstimator(const urdf::RobotModel& model, const EstimatorPar
       inputs_(model, parameters.stale_after_s),
       contacts_(thresholds_of(parameters, mass_kg_)),
       senses_load_(model.senses_load()),
-      senses_tilt_(model.carries(urdf::SensorKind::inclination) &&
-                   model.imu.inclinometer == urdf::Inclinometer::fused),
+      senses_tilt_(model.senses_tilt()),
       load_model_(model),
       cells_(parameters, mass_kg_ * kGravity_m_per_s2),
       attitude_(parameters),
@@ -97,61 +83,6 @@ void StateEstimator::place_body() noexcept {
   const Eigen::Vector3d learned_m = kinematics_.com_m(support_) - before_m;
   for (std::size_t axis = 0; axis < 3; ++axis) com_[axis].shift(learned_m[static_cast<Eigen::Index>(axis)]);
   last_measured_m_ += learned_m;
-}
-
-void StateEstimator::update_attitude() noexcept {
-  const int slots = inputs_.imu_slots();
-  if (slots == 0) return;
-  if (slots > kLongestGapSlots) attitude_.lose_tilt();
-  const double dt_s = facts::kSlot_s * std::min(slots, kLongestGapSlots);
-  attitude_.predict(inputs_.gyro_rad_per_s(), dt_s, dt_s - facts::kSlot_s);
-  turned_attitude_ = attitude_.attitude();
-  correct_tilt();
-  angular_velocity_ +=
-      dt_s / (parameters_.rate_filter_s + dt_s) * (attitude_.rate_rad_per_s() - angular_velocity_);
-}
-
-void StateEstimator::correct_tilt() noexcept {
-  if (senses_tilt_) {
-    attitude_.correct_tilt(*inputs_.inclination_rad(), parameters_.tilt_noise_rad);
-    return;
-  }
-  const Eigen::Vector3d& force_m_per_s2 = inputs_.acceleration_m_per_s2();
-  if (!attitude_.has_tilt() && !begin_tilt(force_m_per_s2)) return;
-  const double off_m_per_s2 = std::abs(force_m_per_s2.norm() - kGravity_m_per_s2);
-  const bool calm = off_m_per_s2 < kCalm_m_per_s2 && attitude_.rate_rad_per_s().norm() < kCalm_rad_per_s;
-  calm_slots_ = calm ? std::min(calm_slots_ + 1, kCalmSlots) : 0;
-  if (inputs_.inclination_rad() && calm_slots_ == kCalmSlots) {
-    attitude_.correct_tilt(*inputs_.inclination_rad(), kHangingTilt_rad);
-  } else if (off_m_per_s2 <= parameters_.accelerometer_band_m_per_s2) {
-    attitude_.correct_by_force(force_m_per_s2 / kGravity_m_per_s2, kRestlessTilt_rad);
-  }
-}
-
-// It begins with what level soles say, unless the accelerometer gainsays them: a robot that gets its load in
-// the first slots is shaken more than its soles are tilted, and one that lies is neither.
-bool StateEstimator::begin_tilt(const Eigen::Vector3d& force_m_per_s2) noexcept {
-  const auto tilt_rad = tilt_of_acceleration(force_m_per_s2, kRest_m_per_s2);
-  if (!tilt_rad) return false;
-  kinematics_.update(inputs_.position_rad(), Attitude{});
-  const Eigen::Vector2d on_soles = kinematics_.tilt_on_level_soles();
-  const bool level = (*tilt_rad - on_soles).norm() < kGainsaid_rad;
-  attitude_.correct_tilt(level ? on_soles : *tilt_rad, level ? kLevelSoles_rad : kRestlessTilt_rad);
-  return true;
-}
-
-void StateEstimator::hold_heading() noexcept {
-  const InputFaults& faults = inputs_.faults();
-  if (inputs_.imu_slots() == 0 || faults.joints_stale || faults.missing != 0) return;
-  const double left = kinematics_.heading_rad(urdf::Side::left);
-  const double right = kinematics_.heading_rad(urdf::Side::right);
-  feet_planted_.update({pressure_[0].force_N, pressure_[1].force_N}, left - right,
-                       inputs_.leg_reference_rate_rad_per_s(), facts::kSlot_s);
-  if (feet_planted_.planted()) {
-    attitude_.hold_heading(0.5 * (left + right), feet_planted_.creep_rad_rts(), facts::kSlot_s);
-  } else {
-    attitude_.release_heading();
-  }
 }
 
 void StateEstimator::update_pressure() noexcept {

@@ -112,6 +112,18 @@ TEST(GaitTable, has_its_floors_among_its_levels_in_both_lengths) {
   }
 }
 
+TEST(GaitTable, a_speed_is_what_the_robot_does_and_not_what_it_is_told) {
+  const std::vector<std::string> name{"straight"};
+  const GaitRow row = chosen_rows(gait_table({}), name).front();
+  const Trial trial = row.trials(1, row.floor).front();
+  EXPECT_GT(trial.commands.front().velocity.x(), row.floor);
+  TrialOutcome outcome;
+  outcome.mean_velocity.x() = row.floor + 1e-6;
+  EXPECT_TRUE(row.passes(outcome, trial, row.floor));
+  outcome.mean_velocity = {row.floor - 1e-3, 0.2, 0.1};
+  EXPECT_FALSE(row.passes(outcome, trial, row.floor)) << "aside is not ahead";
+}
+
 TEST(GaitTable, pushes_come_from_all_sides_in_all_phases_of_the_step_time) {
   const std::vector<std::string> name{"push_walking"};
   const GaitRow row = chosen_rows(gait_table({.step_time_s = 0.32, .quick = false}), name).front();

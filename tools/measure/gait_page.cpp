@@ -41,11 +41,6 @@ std::string table(const GaitMeasurement& measurement) {
   return html + "</table>\n";
 }
 
-double speed_held(const Trial& trial, const TrialOutcome& outcome) {
-  const Eigen::Vector3d& wanted = trial.commands.front().velocity;
-  return outcome.mean_velocity.dot(wanted) / wanted.norm();
-}
-
 // A tick for each trial, at what was asked for: per cent of it that were held. Falls stand at zero.
 std::string speed_plot(const RowResult& result) {
   struct Mark {
@@ -60,7 +55,7 @@ std::string speed_plot(const RowResult& result) {
       for (std::size_t i = 0; i < seed.trials.size(); ++i) {
         const double wanted = seed.trials[i].commands.front().velocity.norm();
         const bool fell = seed.outcomes[i].fell;
-        const double held = fell ? 0.0 : 100.0 * speed_held(seed.trials[i], seed.outcomes[i]) / wanted;
+        const double held = fell ? 0.0 : 100.0 * true_speed(seed.outcomes[i], seed.trials[i]) / wanted;
         const double x = result.row.has_levels() ? level.level : static_cast<double>(i);
         marks.push_back({x, held, seed.seed, fell});
         low = std::min(low, held - 5.0);

@@ -46,6 +46,9 @@ struct GaitTableOptions {
 // All rows in the table's order.
 std::vector<GaitRow> gait_table(const GaitTableOptions& options);
 
+// Mean speed over the ground along what was commanded first, by the robot's heading; of a turn in rad/s.
+[[nodiscard]] double true_speed(const TrialOutcome& outcome, const Trial& trial);
+
 // Those of the given names, all if there are none, without those of `except`; in the table's order. Throws
 // std::invalid_argument that names an unknown one and the nearest known, or when none is left.
 std::vector<GaitRow> chosen_rows(std::vector<GaitRow> table, std::span<const std::string> names,

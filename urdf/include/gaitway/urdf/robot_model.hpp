@@ -224,6 +224,8 @@ struct RobotModel {
   [[nodiscard]] double total_mass_kg() const noexcept;
   [[nodiscard]] std::vector<std::filesystem::path> mesh_files() const;  // of all shapes, each once
   [[nodiscard]] bool carries(SensorKind kind) const noexcept;           // any channel of this kind
+  // An inclinometer against gravity, whatever the body does: not a pendulum.
+  [[nodiscard]] bool senses_tilt() const noexcept;
   // Both feet have the same kind of sensor.
   [[nodiscard]] bool senses_load() const noexcept { return feet[0].sensor != FootSensor::none; }
   [[nodiscard]] facts::BodyScale body_scale() const noexcept { return {hip_height_m, total_mass_kg()}; }
