@@ -42,8 +42,8 @@ JointPlanCheck::JointPlanCheck(const urdf::RobotModel& robot) {
   }
 }
 
-JointPlanVerdict JointPlanCheck::check(const JointPlan& plan, std::span<const double> start_rad,
-                                       int first_point) const noexcept {
+JointPlanVerdict JointPlanCheck::check(const JointPlan& plan,
+                                       std::span<const double> start_rad) const noexcept {
   const auto count_problem = [](JointPlanRule rule, double value, double highest) {
     return JointPlanVerdict{.rule = rule, .value = value, .highest = highest, .refused_points = 1};
   };
@@ -60,7 +60,7 @@ JointPlanVerdict JointPlanCheck::check(const JointPlan& plan, std::span<const do
     first = first.accepted() ? verdict : first;
   };
   const int points = kBatchPoints + static_cast<int>(plan.tail_count);
-  for (int point = first_point; point < points; ++point) {
+  for (int point = 0; point < points; ++point) {
     if (plan.support[point] >= kSupports) {
       note({.rule = JointPlanRule::support,
             .point = point,
@@ -69,10 +69,10 @@ JointPlanVerdict JointPlanCheck::check(const JointPlan& plan, std::span<const do
     }
     for (std::size_t joint = 0; joint < joints_.size(); ++joint) {
       const double to = static_cast<double>(plan.position[point][joint]);
-      const bool first_one = point == first_point;
-      const double from = first_one && joint >= start_rad.size() ? to
-                          : first_one                            ? start_rad[joint]
-                                      : static_cast<double>(plan.position[point - 1][joint]);
+      const bool starts_unknown = point == 0 && joint >= start_rad.size();
+      const double from = starts_unknown ? to
+                          : point == 0   ? start_rad[joint]
+                                         : static_cast<double>(plan.position[point - 1][joint]);
       note(check_step(joint, point, from, to));
     }
   }

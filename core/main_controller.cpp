@@ -46,7 +46,6 @@ std::array<char, 64> place_text(const msgclient::Answer& answer) noexcept {
 MainController::MainController(const urdf::RobotModel& robot, msgclient::Client& client,
                                msgclient::EmiHost& host, const MainControllerOptions& options)
     : check_(robot),
-      revision_slot_(robot.network.revision_slot),
       host_(host),
       wall_clock_(options.wall_clock),
       event_publisher_(client),
@@ -75,9 +74,6 @@ TickReport MainController::step(std::int64_t now_ns) noexcept {
   post_trim(tick, report);
   if (tick.batch) {
     prepare_batch(tick, report);
-  }
-  if (is_revision_tick(tick, revision_slot_)) {
-    revise(tick, report);
   }
   manager_.end_trial(tick);
   const std::int64_t duration_ns = wall_clock_ == nullptr ? 0 : wall_clock_() - begin_ns;
@@ -175,29 +171,11 @@ MainController::HandOverOutcome MainController::hand_over(const Tick& tick, Tick
     }
     return HandOverOutcome::nothing;
   }
-  return post(tick, 0, report);
+  return post(tick, report);
 }
 
-// Nothing is missed without one: the batch goes on as it is.
-void MainController::revise(const Tick& tick, TickReport& report) noexcept {
-  report.batch = true;
-  const std::uint32_t running = tick.batch_sequence - 1;
-  const bool is_news = joint_plan_reader_.newest_sequence() != plan_publication_;
-  if (!is_news || running == 0 || accepted_->sequence != running ||
-      manager_.fault_behind("joint_plan") != nullptr || !joint_plan_reader_.read(*plan_) ||
-      plan_->sequence != running) {
-    return;
-  }
-  if (post(tick, revision_slot_, report) == HandOverOutcome::posted) {
-    ++counts_.revisions;
-  }
-}
-
-MainController::HandOverOutcome MainController::post(const Tick& tick, int first_point,
-                                                     TickReport& report) noexcept {
-  plan_publication_ = joint_plan_reader_.newest_sequence();
-  if (!plan_is_usable(tick, first_point) ||
-      !msgclient::make_hand_over(*plan_, trim_, *posted_, static_cast<std::uint32_t>(first_point))) {
+MainController::HandOverOutcome MainController::post(const Tick& tick, TickReport& report) noexcept {
+  if (!plan_is_usable(tick) || !msgclient::make_hand_over(*plan_, trim_, *posted_)) {
     return HandOverOutcome::unusable;
   }
   const msgclient::PostResult result = host_.post(*posted_, tick.now_ns);
@@ -210,23 +188,21 @@ MainController::HandOverOutcome MainController::post(const Tick& tick, int first
                      : "the message controller has not taken the batch before: this one was not handed over");
     return HandOverOutcome::not_taken;
   }
-  counts_.handed_over += first_point == 0 ? 1U : 0U;
+  ++counts_.handed_over;
   report.handed_over = report.posted = true;
   report.transfer_ns = std::max(report.transfer_ns, result.transfer_ns);
   return HandOverOutcome::posted;
 }
 
-bool MainController::plan_is_usable(const Tick& tick, int first_point) noexcept {
-  const JointPlanVerdict verdict = check_.check(
-      *plan_, first_point == 0 ? start_reference(tick) : reference_before(first_point), first_point);
+bool MainController::plan_is_usable(const Tick& tick) noexcept {
+  const JointPlanVerdict verdict = check_.check(*plan_, start_reference(tick));
   if (verdict.accepted()) {
     return true;
   }
   ++counts_.refused_locally;
   counts_.refused_points += verdict.refused_points;
   std::array<char, 220> text{};
-  const auto prefix = fmt::format_to_n(
-      text.data(), text.size(), "{} {}: ", first_point == 0 ? "batch" : "revision of batch", plan_->sequence);
+  const auto prefix = fmt::format_to_n(text.data(), text.size(), "batch {}: ", plan_->sequence);
   const std::string_view line = check_.describe(verdict, std::span(text).subspan(prefix.size));
   note_refusal(tick, {text.data(), prefix.size + line.size()});
   return false;
@@ -245,12 +221,9 @@ std::span<const double> MainController::start_reference(const Tick& tick) noexce
   }
   // The accepted batch plays from its cycle on, then its safe tail, then the tail's last point.
   const std::int64_t played = std::int64_t{tick.batch_sequence - accepted_->sequence} * facts::kSlotsPerCycle;
-  return reference_before(static_cast<int>(std::min<std::int64_t>(played, accepted_->point_count)));
-}
-
-std::span<const double> MainController::reference_before(int point) noexcept {
+  const auto point = static_cast<int>(std::min<std::int64_t>(played, accepted_->point_count) - 1);
   for (std::size_t joint = 0; joint < accepted_->joint_count; ++joint) {
-    start_rad_[joint] = static_cast<double>(accepted_->position_at(point - 1, static_cast<int>(joint)));
+    start_rad_[joint] = static_cast<double>(accepted_->position_at(point, static_cast<int>(joint)));
   }
   return std::span(start_rad_).first(accepted_->joint_count);
 }

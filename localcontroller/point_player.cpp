@@ -1,5 +1,5 @@
-// Plays a joint's points: which slot of which batch, or of its tail, is on, and what a repair, a revision or
-// a lost SYNC changes.
+// Plays a joint's points: which slot of which batch, or of its tail, is on, and what a repair or a lost SYNC
+// changes.
 #include "gaitway/localcontroller/point_player.hpp"
 
 namespace gaitway::localcontroller {
@@ -79,39 +79,14 @@ bool PointPlayer::on_sync(const can::Sync& sync, std::int64_t now_ns) noexcept {
   if (in_tail_) {
     return follow_tail(sync, now_ns);
   }
-  std::int32_t revised = 0;
   if (running_) {
-    revised = revise(sync);
-    if (sync.slot <= slot_) {  // taken already, when the SYNC was overdue
-      if (revised != 0) {
-        const std::int64_t remaining_ns = slot_start_ns_ + facts::kSlot_ns - now_ns;
-        begin_segment(count_ + revised, now_ns,
-                      remaining_ns > kShortestSegment_ns ? remaining_ns : kShortestSegment_ns);
-      }
-      return false;
+    if (sync.slot <= slot_) {
+      return false;  // taken already, when the SYNC was overdue
     }
     make_up_until(sync.slot);
   }
-  begin_slot(sync.slot, now_ns, now_ns, revised);
+  begin_slot(sync.slot, now_ns, now_ns);
   return true;
-}
-
-// A revision bears all eight points of its batch, so it holds whichever slot this joint is in: by how much
-// the points that it has taken are off is returned.
-std::int32_t PointPlayer::revise(const can::Sync& sync) noexcept {
-  if (!sync.batch_committed || !has_pending_ || pending_toggle_ != sync.toggle ||
-      executing_toggle_ == sync.toggle) {
-    return 0;
-  }
-  std::int32_t off = 0;
-  for (int taken = known_from_; taken <= slot_; ++taken) {
-    const auto slot = static_cast<std::size_t>(taken);
-    off += pending_[slot] - executing_[slot];
-  }
-  executing_ = pending_;
-  executing_toggle_ = pending_toggle_;
-  has_pending_ = false;
-  return off;
 }
 
 // Slots whose SYNC was lost count, too: their points are made up for within the slot that begins.
@@ -140,7 +115,6 @@ bool PointPlayer::apply_repair(const can::Sync& sync, std::int64_t now_ns) noexc
     pending_toggle_ = repair_.toggle;  // else the loss of the next batch's frame would look like its arrival
   }
   executing_[repair_.slot] = 0;  // the way to the repair's count is none of the batch's points
-  known_from_ = repair_.slot + 1;
   std::size_t slot = std::size_t{repair_.slot} + 1;
   for (std::size_t k = 0; k < repair_.delta.size() && slot < executing_.size(); ++k, ++slot) {
     executing_[slot] = repair_.delta[k];
@@ -163,7 +137,6 @@ bool PointPlayer::start_batch(const can::Sync& sync) noexcept {
   if (starts) {
     executing_ = pending_;
     executing_toggle_ = pending_toggle_;
-    known_from_ = 0;
     batch_cycle_ = sync.cycle;
     reference_confirmed_ = true;
   }
@@ -245,8 +218,7 @@ void PointPlayer::enter_slot(int slot, std::int64_t now_ns) noexcept {
   slot_start_ns_ = now_ns;
 }
 
-void PointPlayer::begin_slot(int slot, std::int64_t start_ns, std::int64_t now_ns,
-                             std::int32_t made_up) noexcept {
+void PointPlayer::begin_slot(int slot, std::int64_t start_ns, std::int64_t now_ns) noexcept {
   enter_slot(slot, start_ns);
   const bool arrives_by_hand =
       !running_ && moves_by_hand_ && now_ns < segment_start_ns_ + segment_duration_ns_;
@@ -254,7 +226,7 @@ void PointPlayer::begin_slot(int slot, std::int64_t start_ns, std::int64_t now_n
     return;
   }
   const std::int64_t remaining_ns = start_ns + facts::kSlot_ns - now_ns;
-  begin_segment(running_ ? count_ + made_up + executing_[static_cast<std::size_t>(slot)] : count_, now_ns,
+  begin_segment(running_ ? count_ + executing_[static_cast<std::size_t>(slot)] : count_, now_ns,
                 remaining_ns > kShortestSegment_ns ? remaining_ns : kShortestSegment_ns);
 }
 

@@ -20,11 +20,10 @@ struct Counts {
   std::size_t joints = 0;
   std::size_t points = 0;
   std::size_t channels = 0;
-  std::size_t first_slot = 0;
 
   [[nodiscard]] bool valid() const noexcept {
     return joints >= 1 && joints <= kMaxJoints && points >= kBatchPoints && points <= kMaxPoints &&
-           channels <= kTrimChannels && first_slot < kBatchPoints;
+           channels <= kTrimChannels;
   }
   [[nodiscard]] std::size_t words() const noexcept { return hand_over_words(joints, points, channels); }
 };
@@ -57,13 +56,11 @@ bool supports_are_defined(std::span<const std::uint32_t> packed, std::size_t poi
 
 }  // namespace
 
-bool make_hand_over(const JointPlan& plan, const TrimCommand& trim, HandOver& hand_over,
-                    std::uint32_t first_slot) noexcept {
+bool make_hand_over(const JointPlan& plan, const TrimCommand& trim, HandOver& hand_over) noexcept {
   if (plan.joint_count == 0 || plan.joint_count > kMaxJoints || plan.tail_count > kMaxTailPoints) {
     return false;
   }
   hand_over.sequence = plan.sequence;
-  hand_over.first_slot = first_slot;
   hand_over.joint_count = plan.joint_count;
   hand_over.point_count = kBatchPoints + plan.tail_count;
   hand_over.trim = trim_gains(trim);
@@ -82,16 +79,14 @@ std::uint32_t crc32(std::span<const std::uint32_t> words) noexcept {
 }
 
 std::size_t encode(const HandOver& hand_over, std::span<std::uint32_t> words) noexcept {
-  const Counts counts{hand_over.joint_count, hand_over.point_count, hand_over.trim.channel_count,
-                      hand_over.first_slot};
+  const Counts counts{hand_over.joint_count, hand_over.point_count, hand_over.trim.channel_count};
   if (!counts.valid() || counts.words() > words.size()) {
     return 0;
   }
   std::size_t next = 0;
   words[next++] = kHandOverFormat;
   words[next++] = hand_over.sequence;
-  words[next++] = static_cast<std::uint32_t>(counts.joints | counts.channels << 8 | counts.first_slot << 12 |
-                                             counts.points << 16);
+  words[next++] = static_cast<std::uint32_t>(counts.joints | counts.channels << 8 | counts.points << 16);
   visit_floats_of_trim(hand_over, counts.channels,
                        [&](float value) { words[next++] = std::bit_cast<std::uint32_t>(value); });
   for (std::size_t first = 0; first < counts.points; first += kSupportsPerWord) {
@@ -118,14 +113,13 @@ DecodeStatus decode(std::span<const std::uint32_t> words, HandOver& hand_over) n
       crc32(words.first(words.size() - 1)) != words.back()) {
     return DecodeStatus::corrupt;
   }
-  const Counts counts{words[2] & 0xff, words[2] >> 16, (words[2] >> 8) & 0xf, (words[2] >> 12) & 0xf};
+  const Counts counts{words[2] & 0xff, words[2] >> 16, (words[2] >> 8) & 0xff};
   const std::size_t support_words = (counts.points + kSupportsPerWord - 1) / kSupportsPerWord;
   const std::size_t first_support = 3 + 2 + kSupports * counts.channels * 4;
   if (!counts.valid() || counts.words() != words.size() ||
       !supports_are_defined(words.subspan(first_support, support_words), counts.points)) {
     return DecodeStatus::corrupt;
   }
-  hand_over.first_slot = static_cast<std::uint32_t>(counts.first_slot);
   hand_over.joint_count = static_cast<std::uint32_t>(counts.joints);
   hand_over.point_count = static_cast<std::uint32_t>(counts.points);
   hand_over.trim = {};

@@ -24,7 +24,7 @@ constexpr std::array<std::string_view, 20> kReasons{
     "the robot has no such joint",
     "the command is not known",
     "a local controller that is needed is missing or reports a fault",
-    "it revises a batch that doesn't run, or from a time slot from which this network revises none",
+    "unknown reason",
     "the robot is not in emergency stop",
     "the emergency stop is being released already",
 };

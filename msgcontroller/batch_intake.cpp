@@ -16,7 +16,6 @@ BatchIntake::BatchIntake(const urdf::RobotModel& robot, BusLink& link, Playback&
       hand_(hand),
       adapter_(adapter),
       lead_ns_(hand_over_lead_ns(robot)),
-      revision_slot_(static_cast<std::uint32_t>(robot.network.revision_slot)),
       hand_over_(std::make_unique<msgclient::HandOver>()),
       plan_(std::make_unique<CountPlan>()) {}
 
@@ -39,7 +38,7 @@ const msgclient::TrimGains* BatchIntake::take(std::int64_t now_ns, bool stopping
   const bool accepted = answer.verdict == msgclient::Verdict::accepted;
   if (accepted) {
     hand_.forget();
-    plan_->first_point > 0 ? playback_.accept_revision(*plan_) : playback_.accept(*plan_);
+    playback_.accept(*plan_);
     state.accepted_sequence = plan_->sequence;
     link_.set_mode(Mode::batches);
     if (link_.synchronised()) {
@@ -72,8 +71,7 @@ void BatchIntake::judge(std::int64_t now_ns, bool stopping, bool on_their_own,
   if (time != Reason::none) {
     return refuse(time);
   }
-  const std::span<const std::int32_t> start =
-      hand_over_->first_slot == 0 ? playback_.next_start() : playback_.reached_before(hand_over_->first_slot);
+  const std::span<const std::int32_t> start = playback_.next_start();
   CountPlanProblem problem = to_counts(*hand_over_, link_.count_rad, start, *plan_);
   if (problem.reason == Reason::none) {
     problem = motion_without_node(start);
@@ -89,29 +87,20 @@ void BatchIntake::judge(std::int64_t now_ns, bool stopping, bool on_their_own,
   }
 }
 
-// Whether it comes at the wrong time: a batch for another cycle than the next, a revision of another batch
-// than the running one, or one of them with too little time left to send it.
+// Whether it comes at the wrong time: for another cycle than the next, or with too little time left to send
+// it.
 msgclient::Reason BatchIntake::untimely(std::int64_t now_ns) const noexcept {
   using msgclient::Reason;
   const msgclient::HandOver& hand_over = *hand_over_;
-  const bool revises = hand_over.first_slot != 0;
-  const std::uint32_t cycle = revises ? link_.state.cycle : link_.state.cycle + 1;
-  const std::uint32_t slot = link_.state.slot;
-  const std::uint32_t slots_to_start = (revises ? hand_over.first_slot : kSlotsPerCycle) - slot;
-  const std::int64_t start_ns =
-      (std::int64_t{cycle} * kSlotsPerCycle + hand_over.first_slot) * facts::kSlot_ns;
-  if (revises && (hand_over.first_slot != revision_slot_ || hand_over.sequence > cycle)) {
-    return Reason::nothing_to_revise;
-  }
+  const std::uint32_t cycle = link_.state.cycle + 1;
+  const std::uint32_t slots_to_start = kSlotsPerCycle - link_.state.slot;
+  const std::int64_t start_ns = std::int64_t{cycle} * facts::kCycle_ns;
   // A batch begins where its joints stand, so a joint that moves by hand must have arrived by then.
   if (hand_.moves_in(slots_to_start)) {
     return Reason::moving_by_hand;
   }
   if (hand_over.sequence < cycle || now_ns > start_ns - lead_ns_) {
     return Reason::too_late;
-  }
-  if (revises) {
-    return playback_.revisable(cycle) ? Reason::none : Reason::nothing_to_revise;
   }
   if (hand_over.sequence > cycle) {
     return Reason::early_sequence;
@@ -121,7 +110,7 @@ msgclient::Reason BatchIntake::untimely(std::int64_t now_ns) const noexcept {
 
 // A joint that is not on the bus cannot move.
 CountPlanProblem BatchIntake::motion_without_node(std::span<const std::int32_t> start) const noexcept {
-  for (int point = plan_->first_point; point < plan_->point_count; ++point) {
+  for (int point = 0; point < plan_->point_count; ++point) {
     for (std::size_t j = 0; j < link_.node.size(); ++j) {
       const std::int32_t moved = plan_->count[static_cast<std::size_t>(point)][j] - start[j];
       if (link_.node[j] == 0 && moved != 0) {

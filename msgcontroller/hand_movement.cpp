@@ -32,7 +32,7 @@ bool HandMovement::rests(std::uint32_t joint) const noexcept {
     return true;
   }
   for (int slot = playback_.slot(); slot < kBatchPoints; ++slot) {
-    if (playback_.revision_waits() || playback_.running_delta(static_cast<int>(joint), slot) != 0) {
+    if (playback_.running_delta(static_cast<int>(joint), slot) != 0) {
       return false;
     }
   }
@@ -117,7 +117,7 @@ CountPlanProblem HandMovement::pulled_back_by(const CountPlan& plan,
   };
   for (std::size_t j = 0; j < link_.node.size(); ++j) {
     if (!moved_[j]) continue;
-    if (const auto at_once = complaint_about(plan.first_point, kThere, j)) return *at_once;
+    if (const auto at_once = complaint_about(0, kThere, j)) return *at_once;
     // A plan may also lead it back little by little.
     if (const auto in_the_end = complaint_about(plan.point_count - 1, sway_counts_[j], j)) return *in_the_end;
   }

@@ -33,12 +33,8 @@ void JointSupervision::start_waiting_tail() noexcept {
   waiting_tail_ = {.toggle = running_tail_.toggle};
 }
 
-void JointSupervision::enter_slot(int slot, bool revised) noexcept {
-  if (revised) {
-    covered_until_.fill(kLastSlot);
-    start_waiting_tail();
-  }
-  waits_for_next_slot_ = playback_.waiting_segment() != nullptr && playback_.waiting_from() == slot + 1;
+void JointSupervision::enter_slot(int slot) noexcept {
+  waits_for_next_slot_ = playback_.waiting_segment() != nullptr && slot == kLastSlot;
 }
 
 void JointSupervision::drop(can::MessageKind kind) noexcept {
@@ -96,7 +92,7 @@ void JointSupervision::send_waiting_tail() noexcept {
 }
 
 int JointSupervision::slots_to_end_of_waiting() const noexcept {
-  return playback_.waiting_from() - playback_.slot() + (playback_.revision_waits() ? 0 : kSlotsPerCycle);
+  return 2 * kSlotsPerCycle - playback_.slot();
 }
 
 void JointSupervision::send_tail(int joint, SentTail& tail, int slots_to_end) noexcept {
@@ -175,7 +171,7 @@ void JointSupervision::send_running() noexcept {
   }
 }
 
-// Of the batch, or revision, that has not started. After its start the frame would be of no use.
+// Of the batch that has not started. After its start the frame would be of no use.
 void JointSupervision::send_waiting_trajectory(int joint) noexcept {
   const can::NodeId node = link_.node[static_cast<std::size_t>(joint)];
   const Segment* const waiting = playback_.waiting_segment();
@@ -187,7 +183,7 @@ void JointSupervision::send_waiting_trajectory(int joint) noexcept {
     frame.delta[static_cast<std::size_t>(slot)] =
         static_cast<std::int8_t>(playback_.waiting_delta(joint, slot));
   }
-  const int slots_left = playback_.waiting_from() - playback_.slot();
+  const int slots_left = kSlotsPerCycle - playback_.slot();
   link_.send(can::encode(link_.profile, frame), link_.slot_start_ns + slots_left * kSlot_ns);
 }
 
@@ -205,9 +201,9 @@ bool JointSupervision::plays_as_expected(int joint, const can::Feedback& feedbac
 void JointSupervision::take_feedback(int joint, const NetworkWatch::Arrival& arrival) noexcept {
   const can::Feedback& feedback = arrival.feedback;
   const auto j = static_cast<std::size_t>(joint);
-  // The batch or revision that comes next must have arrived by the feedback of the slot before it starts; if
-  // not, it is sent once more. A segment of the safe tail is sent within the last slot, after the joints have
-  // answered its SYNC.
+  // The batch that comes next must have arrived by the feedback of the slot before it starts; if not, it is
+  // sent once more. A segment of the safe tail is sent within the last slot, after the joints have answered
+  // its SYNC.
   const bool synchronised = link_.synchronised();
   const Segment* const waiting = playback_.waiting_segment();
   if (synchronised && waits_for_next_slot_ && waiting != nullptr &&
@@ -227,8 +223,7 @@ void JointSupervision::take_feedback(int joint, const NetworkWatch::Arrival& arr
   // One that was away may have come back as another, but when all were on their own nobody was away.
   const bool is_another = arrival.returned && !playback_.left_to_joints();
   if (!plays_as_expected(joint, feedback) || is_another) {
-    const bool never_came = playback_.slot() <= playback_.running_from() + 1 &&
-                            playback_.running_segment().active &&
+    const bool never_came = playback_.slot() <= 1 && playback_.running_segment().active &&
                             feedback.executing_toggle != playback_.running_segment().toggle;
     link_.watch.count(never_came ? Incident::trajectory_lost : Incident::count_differed, feedback.node);
     resynchronise(joint);
@@ -251,7 +246,7 @@ void JointSupervision::resynchronise(int joint) noexcept {
   covered_until_[j] = std::min(kLastSlot, effective_slot + can::kResyncDeltas);
   can::Resynchronisation frame{
       .node = link_.node[j],
-      .toggle = playback_.segment_in(effective_slot).toggle,
+      .toggle = playback_.running_segment().toggle,
       .slot = static_cast<std::uint8_t>(effective_slot),
       .count = static_cast<std::int16_t>(playback_.expected_count(joint, effective_slot))};
   for (int k = 0; k < can::kResyncDeltas && effective_slot + k < kLastSlot; ++k) {

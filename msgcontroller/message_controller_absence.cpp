@@ -40,11 +40,8 @@ void MessageController::pass_slot(std::int64_t slot_index) noexcept {
   if (slot == 0) {
     begin_cycle();
   }
-  const bool revised = playback_.enter_slot(slot);
-  if (revised && stop_requested_) {
-    prepare_tail();  // the revision's
-  }
-  supervision_.enter_slot(slot, revised);
+  playback_.enter_slot(slot);
+  supervision_.enter_slot(slot);
   const bool begun = last_sync_index_ >= slot_index - slot;
   if (slot == kSlotsToMakeUp && !begun && last_sync_index_ >= 0 && link_.synchronised() &&
       mode() != Mode::emergency_stop && playback_.running_segment().active) {

@@ -74,23 +74,6 @@ void check_periods(const urdf::RobotModel& robot, const urdf::MessageSetting& se
   }
 }
 
-// A revision is one more frame of each joint in a cycle, as far from those of the batches as its slot is from
-// the cycle's ends.
-void allow_revisions(const urdf::RobotModel& robot, Profile& profile) {
-  const int slot = robot.network.revision_slot;
-  if (slot == 0) {
-    return;
-  }
-  can::ProfileRow& trajectory = profile.rows[static_cast<std::size_t>(MessageKind::trajectory)];
-  if (trajectory.rule != IdRule::per_node_and_toggle || !profile.has(MessageKind::sync)) {
-    refuse(robot, robot.network.line, "network.revision_slot",
-           fmt::format("the profile '{}' plays each batch as it was handed over", profile.name),
-           "Leave revision_slot out, or choose the profile full.");
-  }
-  trajectory.period_ns = std::min(slot, can::kBatchPoints - slot) * facts::kSlot_ns;
-  profile.rows[static_cast<std::size_t>(MessageKind::tail)].period_ns = trajectory.period_ns;
-}
-
 // From a batch's end to the first moment with both feet down it is 240 ms at most in the gait of humanoid22,
 // and as much longer on a larger body as its steps take.
 int wanted_tail_parts(const urdf::RobotModel& robot) {
@@ -179,7 +162,6 @@ Profile network_profile(const urdf::RobotModel& robot) {
     check_periods(robot, setting, profile);
     apply(robot, setting, profile);
   }
-  allow_revisions(robot, profile);
   fit_tail(robot, profile);
   check_identifiers(robot, profile);
   return profile;

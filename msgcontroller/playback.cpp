@@ -23,8 +23,7 @@ CountPlanProblem to_counts(const msgclient::HandOver& hand_over, std::span<const
   if (static_cast<std::size_t>(joints) != count_rad.size() || points < kBatchPoints || points > kMaxPoints) {
     return {.reason = Reason::wrong_size};
   }
-  const auto first = static_cast<int>(hand_over.first_slot);
-  for (int point = first; point < points; ++point) {
+  for (int point = 0; point < points; ++point) {
     auto& row = plan.count[static_cast<std::size_t>(point)];
     for (int joint = 0; joint < joints; ++joint) {
       const auto j = static_cast<std::size_t>(joint);
@@ -34,10 +33,10 @@ CountPlanProblem to_counts(const msgclient::HandOver& hand_over, std::span<const
       }
       row[j] = static_cast<std::int32_t>(std::lround(counts));
       const std::int32_t before =
-          point == first ? start_count[j] : plan.count[static_cast<std::size_t>(point - 1)][j];
+          point == 0 ? start_count[j] : plan.count[static_cast<std::size_t>(point - 1)][j];
       const std::int32_t delta = row[j] - before;
       if (delta > facts::kLargestByte_counts || delta < -facts::kLargestByte_counts) {
-        return {point == first ? Reason::jump : Reason::too_fast, joint, point, static_cast<double>(delta)};
+        return {point == 0 ? Reason::jump : Reason::too_fast, joint, point, static_cast<double>(delta)};
       }
     }
     plan.support[static_cast<std::size_t>(point)] = hand_over.support[static_cast<std::size_t>(point)];
@@ -45,7 +44,6 @@ CountPlanProblem to_counts(const msgclient::HandOver& hand_over, std::span<const
   plan.sequence = hand_over.sequence;
   plan.joint_count = joints;
   plan.point_count = points;
-  plan.first_point = first;
   return {};
 }
 
@@ -83,40 +81,11 @@ void Playback::keep_outgoing_plan() noexcept {
   }
 }
 
-void Playback::accept_revision(const CountPlan& plan) noexcept {
-  keep_outgoing_plan();
-  plan_ = plan;
-  cursor_ = kBatchPoints;
-  revision_ = running_;
-  revision_.toggle = next_toggle_;
-  revision_slot_ = plan.first_point;
-  for (auto point = static_cast<std::size_t>(plan.first_point); point < kBatchPoints; ++point) {
-    revision_.count[point] = plan.count[point];
-    revision_.support[point] = plan.support[point];
-  }
-}
-
-bool Playback::enter_slot(int slot) noexcept {
-  slot_ = slot;
-  if (!revision_.active || slot < revision_slot_) {
-    return false;
-  }
-  begin_revision();
-  return true;
-}
-
-void Playback::begin_revision() noexcept {
-  running_ = revision_;
-  running_from_ = revision_slot_;
-  next_toggle_ = !running_.toggle;
-  revision_.active = false;
-}
-
 bool Playback::prepare_from_tail() noexcept {
   if (alone_.on) {
     cursor_ = alone_.first + std::min(alone_.passed + kBatchPoints, alone_.points);
   }
-  if (!tail_left() || revision_.active) {
+  if (!tail_left()) {
     return false;
   }
   prepare(cursor_);
@@ -137,10 +106,6 @@ void Playback::prepare(int first_point) noexcept {
 }
 
 void Playback::begin_cycle() noexcept {
-  if (revision_.active) {
-    begin_revision();  // its slots were missed, but the joints were not told so
-  }
-  running_from_ = 0;
   outgoing_is_plan_ = !plan_waits_;
   if (plan_waits_) {
     outgoing_plan_ = running_plan_;
@@ -194,7 +159,7 @@ void Playback::leave_to_joints(int tail_points) noexcept {
   if (running_.active) {
     next_toggle_ = running_.toggle;  // whose frames they have, but have not begun
   }
-  running_.active = prepared_.active = revision_.active = false;
+  running_.active = prepared_.active = false;
   plan_waits_ = false;
 }
 
@@ -237,23 +202,20 @@ bool Playback::rests(std::span<const std::int32_t> tolerance) const noexcept {
   const auto first = running_.active ? running_.count.begin() + slot_ : running_.count.end();
   const bool prepared_stays =
       !prepared_.active || std::all_of(prepared_.count.begin(), prepared_.count.end(), stays);
-  const bool revision_stays = !revision_.active || std::all_of(revision_.count.begin() + revision_slot_,
-                                                               revision_.count.end(), stays);
-  return std::all_of(first, running_.count.end(), stays) && prepared_stays && revision_stays &&
+  return std::all_of(first, running_.count.end(), stays) && prepared_stays &&
          std::all_of(plan_.count.begin() + std::min(cursor_, plan_.point_count),
                      plan_.count.begin() + plan_.point_count, stays);
 }
 
 void Playback::restart(std::span<const std::int32_t> count) noexcept {
   std::copy(count.begin(), count.end(), held_.begin());
-  running_.active = prepared_.active = revision_.active = false;
+  running_.active = prepared_.active = false;
   running_.toggle = false;
   next_toggle_ = true;
   alone_.on = false;
   plan_waits_ = false;
   plan_.sequence = 0;
   cursor_ = plan_.point_count;
-  running_from_ = 0;
 }
 
 void Playback::hold(int joint, std::int32_t count) noexcept {
@@ -263,7 +225,6 @@ void Playback::hold(int joint, std::int32_t count) noexcept {
     point[j] = count;
   }
   prepared_.active = false;
-  revision_.active = false;
   plan_waits_ = false;
   cursor_ = plan_.point_count;
 }
@@ -271,28 +232,22 @@ void Playback::hold(int joint, std::int32_t count) noexcept {
 std::int32_t Playback::expected_count(int joint, int slot) const noexcept {
   const auto j = static_cast<std::size_t>(joint);
   return alone_.on         ? alone_counts(slot)[j]
-         : running_.active ? segment_in(slot).count[static_cast<std::size_t>(slot)][j]
+         : running_.active ? running_.count[static_cast<std::size_t>(slot)][j]
                            : held_[j];
 }
 
 std::span<const std::int32_t> Playback::next_start() const noexcept {
   const std::int32_t* const last = alone_.on         ? alone_counts(kBatchPoints - 1)
-                                   : running_.active ? segment_in(kBatchPoints - 1).count.back().data()
+                                   : running_.active ? running_.count.back().data()
                                                      : held_.data();
   return {last, static_cast<std::size_t>(joint_count_)};
 }
 
-std::span<const std::int32_t> Playback::reached_before(std::uint32_t slot) const noexcept {
-  const auto& reached = running_.active ? running_.count[slot - 1] : held_;
-  return {reached.data(), static_cast<std::size_t>(joint_count_)};
-}
-
 std::int32_t Playback::waiting_delta(int joint, int slot) const noexcept {
   const auto j = static_cast<std::size_t>(joint);
-  const Segment& waiting = revision_.active ? revision_ : prepared_;
-  const std::int32_t start = revision_.active ? held_[j] : next_start()[j];
-  const std::int32_t before = slot == 0 ? start : waiting.count[static_cast<std::size_t>(slot - 1)][j];
-  return waiting.count[static_cast<std::size_t>(slot)][j] - before;
+  const std::int32_t before =
+      slot == 0 ? next_start()[j] : prepared_.count[static_cast<std::size_t>(slot - 1)][j];
+  return prepared_.count[static_cast<std::size_t>(slot)][j] - before;
 }
 
 std::int32_t Playback::running_delta(int joint, int slot) const noexcept {

@@ -228,9 +228,7 @@ void read_trim(const input::YamlValue& map, TrimSettings& trim) {
 void read_network(const input::YamlValue& map, NetworkSettings& network) {
   constexpr int kLargestId = 0x7FF;
   constexpr input::Range kMessage_ms{0.1, 10000.0, "ms"};
-  constexpr int kFirstRevision = 2,
-                kLastRevision = 6;  // before: not planned in time; after: the next batch's
-  map.require_map(Keys{"profile", "messages", "revision_slot", "tail_parts"});
+  map.require_map(Keys{"profile", "messages", "tail_parts"});
   network.line = map.line();
   if (const auto profile = map.find("profile")) {
     network.profile = profile->text();
@@ -238,9 +236,6 @@ void read_network(const input::YamlValue& map, NetworkSettings& network) {
   }
   if (const auto parts = map.find("tail_parts")) {
     network.tail_parts = static_cast<int>(parts->integer(0, facts::kMostTailParts));
-  }
-  if (const auto slot = map.find("revision_slot")) {
-    network.revision_slot = slot->integer(kFirstRevision, kLastRevision);
   }
   if (const auto messages = map.find("messages")) {
     for (const auto& [name, value] : messages->entries()) {

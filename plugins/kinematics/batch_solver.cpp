@@ -164,26 +164,21 @@ void BatchSolver::stand_at_home(const MotionPlan& plan, JointPlan& joint_plan) n
 BatchOutcome BatchSolver::solve_standing_or_walking(const MotionPlan& plan, const BaseOffset& correction,
                                                     JointPlan& joint_plan,
                                                     std::span<const double> reference_rad) {
-  const bool revises = past_.sequence != 0 && plan.sequence == past_.sequence;
-  const Past past = revises ? past_before_ : past_;
-  Run run{plan, joint_plan, past, fade_};
-  run.fade.begin(plan.sequence, kBatchPoints, plan.tail_count, revises ? fade_.target() : correction);
+  Run run{plan, joint_plan, past_, fade_};
+  run.fade.begin(plan.sequence, kBatchPoints, plan.tail_count, correction);
   if (const BatchOutcome outcome = solve_batch(run); !outcome.solved()) return outcome;
   if (const BatchOutcome outcome = solve_tail(run); !outcome.solved()) return outcome;
   swing_arms(run);
-  if (load_compensation_) {
-    if (revises) load_compensation_->take_back();
-    load_compensation_->apply(plan, past.precedes(plan), reference_rad, joint_plan);
-  }
+  if (load_compensation_) load_compensation_->apply(plan, past_.precedes(plan), reference_rad, joint_plan);
 
   joint_plan.sequence = plan.sequence;
   joint_plan.joint_count = static_cast<std::uint32_t>(home_rad_.size());
   joint_plan.tail_count = plan.tail_count;
   joint_plan.reserved = 0;
   std::memcpy(joint_plan.support, plan.support, kBatchPoints + plan.tail_count);
-  if (!revises) fade_before_ = fade_;
+  fade_before_ = fade_;
   fade_ = run.fade;
-  past_before_ = past;
+  past_before_ = past_;
   past_.sequence = plan.sequence;
   std::copy(run.batch.end() - 3, run.batch.end(), past_.last.begin());
   past_.arm_back_rad = run.arm_back_rad;

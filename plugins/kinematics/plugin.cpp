@@ -25,15 +25,11 @@ class Kinematics final : public Plugin {
   // Throws if a foot pose cannot be reached: the batch is not handed over then, and the safe tail plays on.
   void step(const Tick& tick) override {
     const MotionPlan& plan = motion_plan_.read();
-    if (!tick.batch && !is_revision(tick, plan)) return;
-    const std::uint32_t sequence = tick.batch ? tick.batch_sequence : plan.sequence;
-    if (tick.batch) take_back_refused();
-    if (!tick.batch) held_start_.take_back();  // solved once more
-    solved_ = motion_plan_.sequence();
+    take_back_refused();
     solved_batch_ = plan.sequence;
-    if (solver_.plan_batch(sequence, plan, correction_at(tick.now_ns), joint_plan_.value(), references(),
-                           plan.motion != 0 ? &posture_plan_.read() : nullptr)) {
-      begin_where_held(sequence);
+    if (solver_.plan_batch(tick.batch_sequence, plan, correction_at(tick.now_ns), joint_plan_.value(),
+                           references(), plan.motion != 0 ? &posture_plan_.read() : nullptr)) {
+      begin_where_held(tick.batch_sequence);
     }
     joint_plan_.publish();
   }
@@ -50,7 +46,6 @@ class Kinematics final : public Plugin {
                 setup.parameter("compensate_load", true,
                                 "leads the joints by what the servos give way under load")),
         held_start_(robot),
-        revision_slot_(robot.network.revision_slot),
         report_(setup.reporter()),
         motion_plan_(setup.reads<MotionPlan>("motion_plan")),
         posture_plan_(setup.reads_optional<PosturePlan>("posture_plan")),
@@ -59,7 +54,7 @@ class Kinematics final : public Plugin {
         network_(setup.reads_optional<NetworkState>("network_state")),
         joint_plan_(setup.writes<JointPlan>("joint_plan")) {
     for (const urdf::Joint& joint : robot.joints) names_.push_back(joint.name);
-    setup.period(revision_slot_ > 0 ? Period::tick : Period::batch);
+    setup.period(Period::batch);
   }
 
   // What comes next goes on from what was accepted.
@@ -88,12 +83,6 @@ class Kinematics final : public Plugin {
     report_(Severity::warning, text.data());
   }
 
-  // Of the batch that runs, which this object has solved before.
-  bool is_revision(const Tick& tick, const MotionPlan& plan) {
-    return core::is_revision_tick(tick, revision_slot_) && motion_plan_.sequence() != solved_ &&
-           plan.sequence + 1 == tick.batch_sequence && plan.sequence == solved_batch_ && plan.motion == 0;
-  }
-
   Correction correction_at(std::int64_t now_ns) {
     const bool asked = correction_.has_value() && correction_.age_ns(now_ns) <= kCorrectionLifetime_ns;
     return asked ? correction_.read() : Correction{};
@@ -108,8 +97,6 @@ class Kinematics final : public Plugin {
   BatchSolver solver_;
   HeldStart held_start_;
   std::vector<std::string> names_;  // of the joints
-  int revision_slot_;               // of a cycle, from which its batch may be revised; 0: none is
-  std::uint64_t solved_ = 0;        // of the motion plans: the last one
   std::uint32_t solved_batch_ = 0;
   Reporter report_;
   Input<MotionPlan> motion_plan_;

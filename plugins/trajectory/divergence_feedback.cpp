@@ -23,8 +23,8 @@ double DivergenceFeedback::omega_per_s(double hip_height_m) const noexcept {
 }
 
 void DivergenceFeedback::take(const MotionPlan& plan) noexcept {
-  const bool revises = points_[newest_].time_ns > plan.start_ns;
-  if (revises) newest_ = (newest_ + kKept - kBatchPoints) % kKept;
+  const bool planned_anew = points_[newest_].time_ns > plan.start_ns;
+  if (planned_anew) newest_ = (newest_ + kKept - kBatchPoints) % kKept;
   for (std::size_t i = 0; i < kBatchPoints; ++i) {
     newest_ = (newest_ + 1) % kKept;
     Point& point = points_[newest_];

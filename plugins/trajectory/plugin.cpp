@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "gaitway/facts/facts.hpp"
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/plugin/cycle.hpp"
 #include "gaitway/plugin/plugin.hpp"
@@ -86,13 +85,8 @@ class Trajectory final : public Plugin {
   explicit Trajectory(Setup& setup) : Trajectory(setup, urdf::load_robot(setup.robot_directory())) {}
 
   void step(const Tick& tick) override {
-    if (!tick.batch) {
-      if (core::is_revision_tick(tick, revision_slot_)) revise(tick);
-      return;
-    }
     pattern_.tune(parameters_);
     limits_.tune(parameters_);
-    take_back_refused_revision(tick);
     MotionPlan& plan = plan_.value();
     const NetworkState network = network_at(tick);
     PlanDecision decision = continuity_.decide(tick.batch_sequence, network);
@@ -138,7 +132,6 @@ class Trajectory final : public Plugin {
   Trajectory(Setup& setup, const urdf::RobotModel& robot) : Trajectory(setup, robot, gait_of(robot)) {}
   Trajectory(Setup& setup, const urdf::RobotModel& robot, const GaitParameters& described)
       : parameters_(described),
-        revision_slot_(robot.network.revision_slot),
         pattern_(configured(setup, robot, parameters_)),
         divergence_(parameters_),
         player_(motions_of(setup, robot, parameters_, described)),
@@ -164,41 +157,7 @@ class Trajectory final : public Plugin {
         posture_(setup.writes<PosturePlan>("posture_plan")),
         state_(setup.writes<gaitway::MotionState>("motion_state")),
         footstep_state_(setup.writes<FootstepState>("footstep_state")) {
-    setup.period(revision_slot_ > 0 ? Period::tick : Period::batch);
-    pattern_.revise_from(revision_slot_);
-  }
-
-  // The rest of the batch that runs, by what has been seen since it was planned.
-  void revise(const Tick& tick) {
-    const std::uint32_t running = tick.batch_sequence - 1;
-    MotionPlan& plan = plan_.value();
-    if (!network_.has_value() || plan.sequence != running) return;
-    const NetworkState& network = network_.read();
-    if (network.mode != network_state::mode::batches || network.accepted_sequence != running) return;
-    const std::int64_t start_ns = plan.start_ns + revision_slot_ * facts::kSlot_ns;
-    const WalkCommand walk = commanded(tick.now_ns);
-    if (!pattern_.revise(walk, correction(), plan, deviation_m(start_ns), footsteps(tick.now_ns))) return;
-    divergence_.take(plan);
-    divergence_.answered(pattern_.answered_m(), start_ns);
-    report_limits(walk);
-    continuity_.published(running, pattern_.final_stance());
-    accepted_before_revision_ = accepted_hand_overs(network);
-    plan_.publish();
-  }
-
-  // A revision that did not reach the joints, whoever refused it, was none.
-  void take_back_refused_revision(const Tick& tick) {
-    if (!accepted_before_revision_) return;
-    if (accepted_hand_overs(network_.read()) == *accepted_before_revision_) {
-      pattern_.take_revision_back();
-      divergence_.forget();
-      continuity_.published(tick.batch_sequence - 1, pattern_.final_stance());
-    }
-    accepted_before_revision_.reset();
-  }
-
-  [[nodiscard]] static std::uint64_t accepted_hand_overs(const NetworkState& network) noexcept {
-    return network.handed_over - network.late - network.refused;
+    setup.period(Period::batch);
   }
 
   Correction correction() { return correction_.has_value() ? correction_.read() : Correction{}; }
@@ -332,9 +291,6 @@ class Trajectory final : public Plugin {
   }
 
   GaitParameters parameters_;  // what is set live is taken over at the next batch
-  int revision_slot_;          // of a cycle, from which its batch may be revised; 0: none is
-  // While a revision may be under way: how many hand-overs had been accepted before it.
-  std::optional<std::uint64_t> accepted_before_revision_;
   WalkingPattern pattern_;
   DivergenceFeedback divergence_;
   MotionPlayer player_;

@@ -73,27 +73,8 @@ void WalkingPattern::plan(std::uint32_t sequence, std::int64_t start_ns, const W
   plan.motion = 0;
   plan.arm_swing = parameters_.arm_swing_rad_per_m;
   schedule(command, correction, dcm_deviation_m, steps);
-  write_batch(0, plan);
+  write_batch(plan);
   write_tail(plan);
-  revisable_sequence_ = first_revised_ > 0 ? sequence : 0;
-}
-
-bool WalkingPattern::revise(const WalkCommand& command, const Correction& correction, MotionPlan& plan,
-                            const Eigen::Vector2d& dcm_deviation_m, const PlannedSteps& steps) noexcept {
-  if (revisable_sequence_ == 0 || plan.sequence != revisable_sequence_ || plan.motion != 0) return false;
-  revisable_sequence_ = 0;
-  unrevised_state_ = state_;
-  unrevised_final_stance_ = final_stance_;
-  state_ = revisable_state_;
-  schedule(command, correction, dcm_deviation_m, steps);
-  write_batch(first_revised_, plan);
-  write_tail(plan);
-  return true;
-}
-
-void WalkingPattern::take_revision_back() noexcept {
-  state_ = unrevised_state_;
-  final_stance_ = unrevised_final_stance_;
 }
 
 void WalkingPattern::schedule(const WalkCommand& command, const Correction& correction,
@@ -293,19 +274,14 @@ void WalkingPattern::advance_settling(PatternState& state) const noexcept {
   }
 }
 
-void WalkingPattern::write_batch(int first, MotionPlan& plan) noexcept {
-  const int points = kBatch - first;
-  walk_.fill(state_, schedule_, points + parameters_.preview_points(), batch_reference_);
-  write_footsteps(first, plan);
-  for (int i = 0; i < points; ++i) {
-    if (first == 0 && i > 0 && i == first_revised_) {
-      revisable_state_ = state_;
-      walk_.pass(revisable_state_, batch_reference_, i);
-    }
+void WalkingPattern::write_batch(MotionPlan& plan) noexcept {
+  walk_.fill(state_, schedule_, kBatch + parameters_.preview_points(), batch_reference_);
+  write_footsteps(plan);
+  for (int i = 0; i < kBatch; ++i) {
     advance(state_, batch_reference_, i);
-    write_point(state_, static_cast<std::size_t>(first) + static_cast<std::size_t>(i), plan);
+    write_point(state_, static_cast<std::size_t>(i), plan);
   }
-  walk_.pass(state_, batch_reference_, points);
+  walk_.pass(state_, batch_reference_, kBatch);
 }
 
 // Until the stand is reached, in whole batches, and long enough for a bow to end in it.
@@ -349,10 +325,10 @@ void WalkingPattern::write_point(const PatternState& state, std::size_t i, Motio
   plan.support[i] = in_the_air ? static_cast<std::uint8_t>(other(state.step.swing)) : std::uint8_t{2};
 }
 
-void WalkingPattern::write_footsteps(int first, MotionPlan& plan) const noexcept {
+void WalkingPattern::write_footsteps(MotionPlan& plan) const noexcept {
   plan.footstep_count = 0;
   if (state_.phase != Phase::walking) return;
-  int points = first - state_.elapsed_points;
+  int points = -state_.elapsed_points;
   const auto write = [&](const Step& step) {
     if (plan.footstep_count == kMaxFootsteps) return;
     points += step.points();

@@ -36,16 +36,5 @@ TEST(Cycle, OtherTicksNameTheNextBatchToCome) {
   }
 }
 
-TEST(Cycle, RevisionsArePreparedAsLongAheadAsBatches) {
-  for (std::int64_t slot = 0; slot < 80; ++slot) {
-    const Tick tick = tick_at(slot * facts::kSlot_ns + kTickPhase_ns);
-    EXPECT_FALSE(is_revision_tick(tick, 0));
-    EXPECT_EQ(is_revision_tick(tick, 4), slot % 8 == 2);
-    if (slot % 8 == 2) {
-      EXPECT_EQ(tick.batch_sequence - 1, slot / 8) << "it revises the batch of the cycle that runs";
-    }
-  }
-}
-
 }  // namespace
 }  // namespace gaitway::core

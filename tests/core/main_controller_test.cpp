@@ -38,55 +38,6 @@ TEST_F(MainControllerTest, HandsOverTheBatchOfTheNextCycle) {
   EXPECT_LE(statistics.batch_compute_us.p50, statistics.batch_compute_us.max);
 }
 
-TEST_F(MainControllerTest, HandsOverRevisionsOfTheBatchThatRuns) {
-  robot.network.revision_slot = 4;
-  start("revises");
-  while (!tick().handed_over) {
-  }
-  EXPECT_EQ(batch->first_slot, 0U) << "there was no batch to revise before";
-  answer(msgclient::Verdict::accepted);
-  for (std::int64_t cycle = 1; cycle <= 3; ++cycle) {
-    while (!tick().handed_over) {
-    }
-    EXPECT_EQ(now_ns, cycle * 80'000'000 + 24'000'000);
-    ASSERT_TRUE(batch_taken);
-    EXPECT_EQ(batch->sequence, cycle);
-    EXPECT_EQ(batch->first_slot, 4U);
-    EXPECT_EQ(batch->point_count, 24U);
-    answer(msgclient::Verdict::accepted);
-    while (!tick().handed_over) {
-    }
-    EXPECT_EQ(batch->sequence, cycle + 1);
-    EXPECT_EQ(batch->first_slot, 0U);
-    answer(msgclient::Verdict::accepted);
-  }
-  EXPECT_EQ(controller->statistics().revisions, 3U);
-  EXPECT_EQ(controller->statistics().handed_over, 4U);
-}
-
-TEST_F(MainControllerTest, RevisesNoBatchThatWasNotAccepted) {
-  robot.network.revision_slot = 4;
-  start("revises");
-  while (!tick().handed_over) {
-  }
-  answer(msgclient::Verdict::late, msgclient::Reason::too_late);
-  while (!tick().handed_over) {
-  }
-  EXPECT_EQ(batch->sequence, 2U);
-  EXPECT_EQ(controller->statistics().revisions, 0U);
-}
-
-TEST_F(MainControllerTest, RevisesNothingUnlessTheNetworkFileSaysSo) {
-  start("revises");
-  for (int i = 0; i < 40; ++i) {
-    if (tick().handed_over) {
-      EXPECT_EQ(batch->first_slot, 0U);
-      answer(msgclient::Verdict::accepted);
-    }
-  }
-  EXPECT_EQ(controller->statistics().revisions, 0U);
-}
-
 TEST_F(MainControllerTest, PostsNewTrimsAtEveryTick) {
   start("none");
   for (int i = 0; i < 5; ++i) {

@@ -16,7 +16,6 @@ class EmiAdapterTest : public testing::Test {
  protected:
   void SetUp() override {
     hand_over->sequence = 7;
-    hand_over->first_slot = 5;
     hand_over->joint_count = 22;
     hand_over->point_count = 148;
     hand_over->trim.channel_count = kTrimChannels;
@@ -39,7 +38,6 @@ TEST_F(EmiAdapterTest, CarriesAHandOverAndItsAnswer) {
   ASSERT_TRUE(posted);
   ASSERT_EQ(emi.message().take_hand_over(*received, posted.transfer_ns), TakeStatus::mail);
   EXPECT_EQ(received->sequence, 7u);
-  EXPECT_EQ(received->first_slot, 5U);
   EXPECT_EQ(received->position_at(147, 21), hand_over->position_at(147, 21));
   EXPECT_EQ(emi.message().take_hand_over(*received, kMillisecond), TakeStatus::none) << "taken once";
 
@@ -214,9 +212,11 @@ TEST_F(EmiAdapterTest, ARestartedHostGoesOnWhereTheOldOneEnded) {
 }
 
 TEST(Reasons, EachHasItsOwnText) {
-  for (std::uint32_t i = 0; i <= static_cast<std::uint32_t>(Reason::nothing_to_revise); ++i) {
+  for (std::uint32_t i = 0; i <= static_cast<std::uint32_t>(Reason::node_fault); ++i) {
     EXPECT_NE(reason_text(static_cast<Reason>(i)), "unknown reason") << i;
   }
+  EXPECT_NE(reason_text(Reason::not_stopped), "unknown reason");
+  EXPECT_NE(reason_text(Reason::releasing), "unknown reason");
   EXPECT_EQ(reason_text(static_cast<Reason>(1000)), "unknown reason");
 }
 

@@ -118,6 +118,9 @@ TEST(HandOver, AValidChecksumDoesNotExcuseCountsThatDontFit) {
   words[2] = 3u | 8u << 16;  // claims three joints
   words.back() = crc32(std::span(words).first(words.size() - 1));
   EXPECT_EQ(decode(words, *hand_over), DecodeStatus::corrupt);
+  words[2] = 2u | 4u << 12 | 8u << 16;  // a batch from its slot 4 on: there are none
+  words.back() = crc32(std::span(words).first(words.size() - 1));
+  EXPECT_EQ(decode(words, *hand_over), DecodeStatus::corrupt);
 }
 
 TEST(HandOver, IsMadeOfPlanAndTrim) {

@@ -169,13 +169,11 @@ class MessageControllerTest : public ::testing::Test {
     }
   }
 
-  explicit MessageControllerTest(const std::string& profile = "full", int revision_slot = 0)
-      : robot_(robot_with(profile, revision_slot)) {}
-  static urdf::RobotModel robot_with(const std::string& profile, int revision_slot) {
+  explicit MessageControllerTest(const std::string& profile = "full") : robot_(robot_with(profile)) {}
+  static urdf::RobotModel robot_with(const std::string& profile) {
     urdf::RobotModel robot =
         urdf::load_robot(std::filesystem::path(GAITWAY_SOURCE_DIR) / "urdf" / "humanoid22");
     robot.network.profile = profile;
-    robot.network.revision_slot = revision_slot;
     return robot;
   }
   void command(msgclient::UserCommandKind kind) {

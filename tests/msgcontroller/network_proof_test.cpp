@@ -34,22 +34,6 @@ TEST_F(NetworkProof, TheShippedRobotIsProvenInBothProfiles) {
   EXPECT_EQ(complaint_about_network(robot), "");
 }
 
-TEST_F(NetworkProof, RevisionsAreProvenToo) {
-  const double load = prove_network(robot).load;
-  const std::int64_t lead_ns = hand_over_lead_ns(robot);
-  for (int slot = 2; slot <= 6; ++slot) {
-    robot.network.revision_slot = slot;
-    EXPECT_EQ(complaint_about_network(robot), "") << slot;
-    EXPECT_EQ(hand_over_lead_ns(robot), lead_ns) << slot;
-    EXPECT_GT(prove_network(robot).load, load) << slot;
-    EXPECT_EQ(network_profile(robot).row(MessageKind::trajectory).period_ns,
-              std::min(slot, 8 - slot) * 10'000'000);
-  }
-  robot.network.profile = "paper";
-  robot.network.line = 62;
-  EXPECT_THAT(refusal(), HasSubstr("robot.yaml:62: network.revision_slot: the profile 'paper' plays each"));
-}
-
 TEST_F(NetworkProof, TailsHaveAsManyPartsAsTheStepsOfTheBodyTakeAndTheBusCanCarry) {
   EXPECT_EQ(network_profile(robot).tail_parts, 3);
   EXPECT_EQ(note_on_tails(robot), "");

@@ -62,69 +62,6 @@ TEST(Playback, TheTailGoesOnToItsEndAndThenHolds) {
   EXPECT_EQ(playback.next_start()[0], 19);
 }
 
-// Revised from slot 3 on: ten counts a point instead of one.
-std::unique_ptr<CountPlan> revision_of(const CountPlan& batch) {
-  auto plan = std::make_unique<CountPlan>(batch);
-  plan->first_point = 3;
-  for (int point = 0; point < plan->point_count; ++point) {
-    plan->count[static_cast<std::size_t>(point)][0] = point < 3 ? -999 : 3 + 10 * (point - 2);
-  }
-  return plan;
-}
-
-TEST(Playback, ARevisionReplacesWhatIsToComeAndTheTail) {
-  Playback playback(std::vector<std::int32_t>{0});
-  playback.accept(*ramp(1, 16, 0));
-  EXPECT_FALSE(playback.revisable(1)) << "it does not run yet";
-  playback.begin_cycle();
-  const bool toggle = playback.running_segment().toggle;
-  playback.enter_slot(1);
-  ASSERT_TRUE(playback.revisable(1));
-  EXPECT_FALSE(playback.revisable(2));
-  playback.accept_revision(*revision_of(*ramp(1, 16, 0)));
-  EXPECT_FALSE(playback.revisable(1)) << "one at a time";
-  EXPECT_FALSE(playback.prepare_from_tail()) << "nothing else fits into the joints until it begins";
-  EXPECT_EQ(playback.expected_count(0, 2), 3);
-  EXPECT_EQ(playback.expected_count(0, 3), 13);
-  EXPECT_EQ(playback.waiting_delta(0, 0), 1) << "its frames bear the points that were played, too";
-  EXPECT_EQ(playback.waiting_delta(0, 3), 10);
-  EXPECT_FALSE(playback.enter_slot(2));
-  EXPECT_EQ(playback.running_segment().toggle, toggle);
-  EXPECT_TRUE(playback.enter_slot(3));
-  EXPECT_NE(playback.running_segment().toggle, toggle);
-  EXPECT_EQ(playback.expected_count(0, 7), 53);
-  ASSERT_TRUE(playback.prepare_from_tail());
-  EXPECT_EQ(playback.waiting_segment()->toggle, toggle);
-  EXPECT_EQ(playback.waiting_delta(0, 0), 10) << "the tail is the revision's";
-  playback.begin_cycle();
-  EXPECT_EQ(playback.expected_count(0, 7), 133);
-}
-
-TEST(Playback, ARevisionWhoseSlotsWereMissedIsOverWithTheCycle) {
-  Playback playback(std::vector<std::int32_t>{0});
-  playback.accept(*ramp(1, 16, 0));
-  playback.begin_cycle();
-  playback.enter_slot(1);
-  playback.accept_revision(*revision_of(*ramp(1, 16, 0)));
-  playback.begin_cycle();
-  EXPECT_EQ(playback.next_start()[0], 53);
-}
-
-TEST(Playback, ARevisionThatMovesIsNoRest) {
-  Playback playback(std::vector<std::int32_t>{0});
-  auto still = ramp(1, 16, 0);
-  for (auto& point : still->count) {
-    point[0] = 0;
-  }
-  playback.accept(*still);
-  playback.begin_cycle();
-  ASSERT_TRUE(playback.rests(std::array<std::int32_t, kMaxJoints>{}));
-  auto revision = revision_of(*still);
-  revision->count[7][0] = 0;
-  playback.accept_revision(*revision);
-  EXPECT_FALSE(playback.rests(std::array<std::int32_t, kMaxJoints>{}));
-}
-
 // Two plans later it is still the first one's tail along which the joints went.
 TEST(Playback, JointsThatWereLeftWentAlongTheTailOfWhatTheyPlayed) {
   const std::vector<std::int32_t> start(2, 0);

@@ -23,16 +23,16 @@ constexpr NamedValue named(Enum value, std::string_view name, std::string_view m
 constexpr std::array<std::string_view, can::kMessageKinds> kMessages{
     "Every joint stops at once. Sent again until each joint's feedback says that it did.",
     "Manual joint command: one joint moves to an absolute count while the robot stands.",
-    "The beat of the network, at every edge of a time slot. Batches and their revisions start on it, joints "
-    "answer it with their feedback, and it says how soft all servos are, and with how many points the joints "
-    "can go on after the batch.",
+    "The beat of the network, at every edge of a time slot. Batches start on it, joints answer it with their "
+    "feedback, and it says how soft all servos are, and with how many points the joints can go on after the "
+    "batch.",
     "Absolute corrections of up to eight joints, added to their references; slew-limited in the joint, and "
     "fading out when none comes for three time slots.",
     "One joint's position, torque, state and two sensor channels, in answer to each SYNC; its heartbeat, "
     "too.",
     "Sent when a fault begins and when it ends.",
-    "One joint's batch, or its revision: the changes of its reference count in the eight time slots of a "
-    "cycle. The toggle bit in the identifier tells a new batch, or a revision, from a repeated frame.",
+    "One joint's batch: the changes of its reference count in the eight time slots of a cycle. The toggle "
+    "bit in the identifier tells a new batch from a repeated frame.",
     "Repairs one joint: its absolute count at the end of a time slot, and the changes of the slots after it.",
     "The message controller's sign of life, once a cycle.",
     "Eight points for the time after one joint's batch, sent in advance: with them it ends the step by "
@@ -84,10 +84,8 @@ constexpr FieldText kFields[]{
     {MessageKind::sync, "cycle", "low 16 bits of the cycle's number, which is its batch's sequence number"},
     {MessageKind::sync, "slot", "the time slot that begins, 0..7"},
     {MessageKind::sync, "batch_committed",
-     "a batch is played in this cycle: whoever holds it starts it at slot 0, and whoever holds its revision "
-     "takes that up in the slot whose SYNC first has the revision's toggle"},
-    {MessageKind::sync, "toggle",
-     "toggle of the batch that is played; from a revision's first slot on, of the revision"},
+     "a batch is played in this cycle: whoever holds it starts it at slot 0"},
+    {MessageKind::sync, "toggle", "toggle of the batch that is played"},
     {MessageKind::sync, "softness",
      "of all joints, in every slot and with or without a batch, for a fall: 0 the servos give their whole "
      "torque, 7 none; softer at once, stiffer in half a second"},
@@ -103,8 +101,7 @@ constexpr FieldText kFields[]{
      "low four bits of the joint's own reference count at this slot's end: a lost or doubled trajectory "
      "frame "
      "shows here"},
-    {MessageKind::feedback, "executing_toggle",
-     "toggle of the batch or revision that it plays, or played last"},
+    {MessageKind::feedback, "executing_toggle", "toggle of the batch that it plays, or played last"},
     {MessageKind::feedback, "pending_toggle", "toggle of the newest trajectory frame that it holds"},
     {MessageKind::feedback, "state", "what the joint does", kJointStates},
     {MessageKind::feedback, "channel_*", "a sensor of the network file, filtered over the slot"},
@@ -112,7 +109,7 @@ constexpr FieldText kFields[]{
     {MessageKind::trajectory, "delta_*", "change of the reference count in this time slot"},
     {MessageKind::resynchronisation, "count", "reference count at the end of the slot"},
     {MessageKind::resynchronisation, "slot", "the slot of the running cycle at whose SYNC it takes effect"},
-    {MessageKind::resynchronisation, "toggle", "toggle of the batch or revision that it belongs to"},
+    {MessageKind::resynchronisation, "toggle", "toggle of the batch that it belongs to"},
     {MessageKind::resynchronisation, "delta_*",
      "change of the reference count in the slots after it; zero past the batch's end"},
     {MessageKind::heartbeat, "mode", "what the message controller does", kModes},

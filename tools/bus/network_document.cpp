@@ -34,17 +34,9 @@ cannot hold is refused before it comes here, by name, and never clipped. Frames 
 current one runs. Nothing moves on their arrival: the SYNC of slot 0 says whether a batch was committed and which toggle it has, and
 every joint that holds it starts together with all others.
 
-**Revisions.** Where the network file says `network: {revision_slot: 4}` (or another slot from 2 to 6; the shipped robot's says none), the batch
-that runs may be revised once, from that slot on. The frames of a revision bear all eight changes of their batch, those before that slot
-as they were played, and the other toggle; the SYNC of the slot names it. So a joint that hears of it late still comes to the same
-count: it makes up for what the points differ by in the slots that it has taken. One that does not hold the frame plays its
-batch on, and is repaired like any other. A revision is committed once it is accepted; one that is handed over too late to be sent in
-time, or to another batch than the running one, is refused, and the batch goes on as it is. Its safe tail replaces the batch's. The
-proof counts with the frames of both: from slot 4 on, one of each joint every 40 ms.
-
 **Toggle.** Eight points fill the frame, so nothing in it can number it. Instead each joint has two trajectory identifiers, which
-take turns from batch to batch, or revision. A frame that CAN delivers twice, or that is sent again as a repair, bears the same toggle and changes
-nothing; only the next batch, or a revision, has the other one.
+take turns from batch to batch. A frame that CAN delivers twice, or that is sent again as a repair, bears the same toggle and changes
+nothing; only the next batch has the other one.
 
 **Feedback** is position, torque, two sensor channels, and what the joint knows of its batches: the toggle that it plays, the newest
 that it holds, and the low four bits of its own reference count. The message controller knows what each of these must be. So a

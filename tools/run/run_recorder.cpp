@@ -125,12 +125,12 @@ BusLogCount RunRecorder::bus_log() const {
   return {count.lines, count.lost, bus_log_->error()};
 }
 
-// At the tick that prepares the next cycle's plan, or revises the running one.
+// At the tick that prepares the next cycle's plan.
 void RunRecorder::read_plan() {
   const NetworkState& network = run_.message_controller().state();
   const Tick tick = core::tick_at(network.stamp_ns);
-  if (tick.batch || core::is_revision_tick(tick, run_.robot().network.revision_slot)) {
-    motion_plan_.read(plans_[(network.cycle + (tick.batch ? 1U : 0U)) % plans_.size()]);
+  if (tick.batch) {
+    motion_plan_.read(plans_[(network.cycle + 1U) % plans_.size()]);
   }
 }
 

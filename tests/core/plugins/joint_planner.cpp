@@ -26,7 +26,7 @@ class JointPlanner final : public gaitway::Plugin {
     trim_.value().angle[3] = 0.01;
     trim_.value().gain[0][2][1] = 0.25;
     trim_.publish();
-    if (tick.batch || (defect_ == "revises" && tick.tick % 8 == 2)) {
+    if (tick.batch) {
       plan(tick);
     }
   }
@@ -34,7 +34,7 @@ class JointPlanner final : public gaitway::Plugin {
  private:
   void plan(const gaitway::Tick& tick) {
     gaitway::JointPlan& plan = plan_.value();
-    plan.sequence = tick.batch_sequence - (defect_ == "old_sequence" || !tick.batch ? 1 : 0);
+    plan.sequence = tick.batch_sequence - (defect_ == "old_sequence" ? 1 : 0);
     plan.joint_count = static_cast<std::uint32_t>(robot_.joints.size());
     plan.tail_count = kTail;
     for (std::uint32_t point = 0; point < gaitway::kBatchPoints + kTail; ++point) {

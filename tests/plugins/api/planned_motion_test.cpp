@@ -89,11 +89,11 @@ TEST_F(PlannedMotionTest, KeepsThePlanInForceWhileNewerOnesCome) {
   EXPECT_DOUBLE_EQ(left_x(*motion, 79 * kPoint_ns), 79.0);
 }
 
-TEST_F(PlannedMotionTest, TakesARevisionInPlaceOfThePlan) {
+TEST_F(PlannedMotionTest, TakesANewerPlanOfTheSameBatchInItsPlace) {
   motion->take(*plan_of(5));
-  auto revision = plan_of(5);
-  revision->foot_position[0][0][0] = 7.0;
-  motion->take(*revision);
+  auto newer = plan_of(5);
+  newer->foot_position[0][0][0] = 7.0;
+  motion->take(*newer);
   EXPECT_DOUBLE_EQ(left_x(*motion, 41 * kPoint_ns), 7.0);
 }
 

@@ -353,22 +353,22 @@ TEST(BatchSolver, AllocatesNothing) {
 }
 #endif
 
-// The same sequence again replaces the batch: nothing of the first solution is left.
-void expect_the_same_of_a_revision(const urdf::RobotModel& model, const WalkingPlan& walk) {
-  BatchSolver plain(model, SolverChoice::automatic), revising(model, SolverChoice::automatic);
+// Nothing is left of a batch that was refused.
+void expect_the_same_after_a_refusal(const urdf::RobotModel& model, const WalkingPlan& walk) {
+  BatchSolver plain(model, SolverChoice::automatic), refused(model, SolverChoice::automatic);
   const auto expected = std::make_unique<JointPlan>(), solved = std::make_unique<JointPlan>();
   for (std::uint32_t sequence = 1; sequence < 30; ++sequence) {
     const auto plan = std::make_unique<MotionPlan>(walk.batch(sequence, kTail));
     Correction correction{};
     correction.com_offset[0] = 0.001 * (sequence % 7);
     ASSERT_TRUE(plain.plan_batch(sequence, *plan, correction, *expected, {}, nullptr));
-    ASSERT_TRUE(revising.plan_batch(sequence, *plan, correction, *solved, {}, nullptr));
-    Correction newer = correction;
-    newer.com_offset[0] += 0.01;  // waits for the next batch
+    Correction another = correction;
+    another.com_offset[0] += 0.01;
     auto other = std::make_unique<MotionPlan>(*plan);
     for (int i = 4; i < kBatchPoints + kTail; ++i) other->com[i][1] += 0.002 * std::min(1.0, (i - 3) / 10.0);
-    ASSERT_TRUE(revising.plan_batch(sequence, *other, newer, *solved, {}, nullptr));
-    ASSERT_TRUE(revising.plan_batch(sequence, *plan, newer, *solved, {}, nullptr));
+    ASSERT_TRUE(refused.plan_batch(sequence, *other, another, *solved, {}, nullptr));
+    refused.go_on_from(sequence - 1);
+    ASSERT_TRUE(refused.plan_batch(sequence, *plan, correction, *solved, {}, nullptr));
     for (int point = 0; point < kBatchPoints + kTail; ++point) {
       for (std::size_t joint = 0; joint < model.joints.size(); ++joint) {
         ASSERT_EQ(solved->position[point][joint], expected->position[point][joint])
@@ -378,13 +378,13 @@ void expect_the_same_of_a_revision(const urdf::RobotModel& model, const WalkingP
   }
 }
 
-TEST(BatchSolverRevision, OfTheSamePointsIsTheSameAndTheNextBatchGoesOnFromIt) {
-  expect_the_same_of_a_revision(make_robot(), WalkingPlan());
+TEST(BatchSolver, GoesOnFromTheBatchBeforeOneThatWasRefused) {
+  expect_the_same_after_a_refusal(make_robot(), WalkingPlan());
 }
 
-TEST(BatchSolverRevision, IsTheSameWithLegsWithoutAClosedForm) {
+TEST(BatchSolver, GoesOnFromTheBatchBeforeOneThatWasRefusedWithLegsWithoutAClosedForm) {
   const urdf::RobotModel model = make_robot(test::offset_hip());
-  expect_the_same_of_a_revision(model, WalkingPlan(0.25, 0.0, walking_hip_height_m(model)));
+  expect_the_same_after_a_refusal(model, WalkingPlan(0.25, 0.0, walking_hip_height_m(model)));
 }
 
 }  // namespace

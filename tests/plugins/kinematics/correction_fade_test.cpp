@@ -50,7 +50,7 @@ TEST(CorrectionFade, GoesOnFromTheBatchBefore) {
   EXPECT_NEAR(fade.at(7).com_m.x(), -0.008, 1e-15);
 }
 
-TEST(CorrectionFade, BeginsARevisionWhereTheBatchBegan) {
+TEST(CorrectionFade, BeginsTheSameBatchAgainWhereItBegan) {
   CorrectionFade fade;
   fade.begin(5, kBatch, kFadeTail, kFirst);
   fade.begin(6, kBatch, kFadeTail, kFirst);

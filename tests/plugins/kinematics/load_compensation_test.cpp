@@ -56,16 +56,17 @@ TEST_F(Compensated, StandingTheKneesLeadByHalfTheWeight) {
   EXPECT_LT(lead_rad(7, knee_), 0.0) << "the reference is straighter than the knee is to be";
 }
 
-TEST_F(Compensated, ARevisionLeadsAsIfItsBatchHadNotBeenSolvedBefore) {
-  BatchSolver revising(robot_, SolverChoice::closed_form, true);
+TEST_F(Compensated, LeadsAfterARefusedBatchAsIfItHadNotBeenSolved) {
+  BatchSolver refused(robot_, SolverChoice::closed_form, true);
   const auto solved = std::make_unique<JointPlan>();
   for (std::uint32_t sequence = 1; sequence <= 20; ++sequence) {
     const MotionPlan plan = stand(sequence);
     solve(plan);
     MotionPlan other = plan;
     for (int i = 4; i < kBatchPoints + kLoadTail; ++i) other.zmp[i][1] += 0.02;
-    ASSERT_TRUE(revising.solve(other, {}, *solved).solved());
-    ASSERT_TRUE(revising.solve(plan, {}, *solved).solved());
+    ASSERT_TRUE(refused.solve(other, {}, *solved).solved());
+    refused.go_on_from(sequence - 1);
+    ASSERT_TRUE(refused.solve(plan, {}, *solved).solved());
     for (int point = 0; point < kBatchPoints + kLoadTail; ++point) {
       ASSERT_EQ(solved->position[point][knee_], with_->position[point][knee_])
           << "batch " << sequence << ", point " << point;

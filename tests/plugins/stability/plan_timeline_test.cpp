@@ -50,7 +50,7 @@ TEST(PlanTimeline, TakingTheSamePlanEveryTickKeepsTheOnesBefore) {
   EXPECT_EQ(timeline.at(0, std::nullopt)->support, 0U);
 }
 
-TEST(PlanTimeline, ARevisionReplacesItsPlan) {
+TEST(PlanTimeline, ANewerPlanOfTheSameBatchReplacesItsPlan) {
   PlanTimeline timeline;
   timeline.take(*plan_of(1, 0, 0));
   timeline.take(*plan_of(1, 0, 1));

@@ -78,6 +78,23 @@ TEST_F(Deviation, IsNothingForABodyOnItsPlanWithLowHips) {
   EXPECT_LT(low.deviation_m(*estimate, start_ns).norm(), 1e-12);
 }
 
+TEST_F(Deviation, ABatchThatIsPlannedAnewTakesItsOwnPlace) {
+  for (std::size_t i = 0; i < kBatchPoints; ++i) plan->com[i][0] = plan->zmp[i][0] = 0.03;
+  feedback.take(*plan);
+  see({0.03, 0.0}, {0.03, 0.0});
+  EXPECT_LT(feedback.deviation_m(*estimate, start_ns).norm(), 1e-12);
+}
+
+TEST_F(Deviation, WhatThePlanHasAnsweredSinceTheEstimateIsOffNoMore) {
+  see({0.03, 0.0}, {0.01, 0.0});
+  const Eigen::Vector2d before = feedback.deviation_m(*estimate, start_ns);
+  feedback.answered({0.01, 0.0}, start_ns - 80'000'000);
+  EXPECT_EQ(feedback.deviation_m(*estimate, start_ns), before) << "the estimate has seen it";
+  feedback.answered({0.01, 0.0}, start_ns - 10'000'000);
+  const Eigen::Vector2d after = feedback.deviation_m(*estimate, start_ns);
+  EXPECT_NEAR(after.x(), before.x() - 0.01 * std::exp(omega_per_s * 0.010), 1e-12);
+}
+
 TEST_F(Deviation, IsNothingThatCanBeActedOnWithoutAFreshUprightFiniteEstimate) {
   const auto expect_none = [&](const char* why) {
     EXPECT_EQ(feedback.deviation_m(*estimate, start_ns), Eigen::Vector2d::Zero()) << why;

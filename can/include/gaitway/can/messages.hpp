@@ -47,7 +47,7 @@ struct Sync {
   std::uint16_t cycle = 0;       // low 16 bits of the cycle number = of the batch's sequence number
   std::uint8_t slot = 0;         // 0..7
   bool batch_committed = false;  // a batch is played in this cycle: whoever holds it starts it at slot 0
-  bool toggle = false;           // toggle of that batch; from a revision's first slot on, of the revision
+  bool toggle = false;           // toggle of that batch
   std::uint8_t softness = 0;     // of all joints: 0 the servo's whole torque .. kMostSoftness none
   // Of a committed batch: with so many points of the tail that bears this toggle, the joints bring both feet
   // down when no SYNC comes after the batch. 0: no joint has a tail of it, or none is needed.

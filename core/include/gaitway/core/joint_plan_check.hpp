@@ -41,12 +41,11 @@ class JointPlanCheck {
  public:
   explicit JointPlanCheck(const urdf::RobotModel& robot);
 
-  // `start_rad`: reference of each joint where the batch begins, or, of a revision, before its `first_point`;
-  // empty: not known, then the first point's change is not checked. Points before it are not looked at.
-  // Rounding to the wire's counts is allowed for: a change may exceed the velocity
+  // `start_rad`: reference of each joint where the batch begins; empty: not known, then the first point's
+  // change is not checked. Rounding to the wire's counts is allowed for: a change may exceed the velocity
   // limit by one count. For the cycle: no allocation, at most kMaxPoints x joints comparisons.
-  [[nodiscard]] JointPlanVerdict check(const JointPlan& plan, std::span<const double> start_rad,
-                                       int first_point = 0) const noexcept;
+  [[nodiscard]] JointPlanVerdict check(const JointPlan& plan,
+                                       std::span<const double> start_rad) const noexcept;
 
   // One line for people: joint, point, value, rule. Writes at most `to.size()` characters and returns what
   // was written. For the cycle, too.

@@ -28,7 +28,7 @@ struct MainControllerOptions : PluginManagerOptions {  // the robot's directory 
 
 // What a tick did.
 struct TickReport {
-  bool batch = false;            // it prepared a batch, or a revision of one
+  bool batch = false;            // it prepared a batch
   bool handed_over = false;      // and handed it over
   bool posted = false;           // some mail lies in the window and its doorbell rang
   std::int64_t transfer_ns = 0;  // from the tick until the last of them has crossed the bus
@@ -42,7 +42,6 @@ struct MainControllerStatistics {
   std::uint64_t handed_over = 0;      // batches that were posted
   std::uint64_t without_plan = 0;     // batch ticks at which no plug-in had a plan for that cycle
   std::uint64_t spoiled = 0;          // batches held back since a plug-in behind them failed
-  std::uint64_t revisions = 0;        // of batches that ran: they were posted
   std::uint64_t refused_locally = 0;  // plans that broke a rule of joint_plan_check.hpp
   std::uint64_t refused_points = 0;   // their points that did
   std::uint64_t not_posted = 0;  // hand-overs that the window did not take: occupied, or the bus is stuck
@@ -88,19 +87,15 @@ class MainController {
   };
   void prepare_batch(const Tick& tick, TickReport& report) noexcept;
   HandOverOutcome hand_over(const Tick& tick, TickReport& report) noexcept;
-  void revise(const Tick& tick, TickReport& report) noexcept;
-  HandOverOutcome post(const Tick& tick, int first_point, TickReport& report) noexcept;
-  [[nodiscard]] bool plan_is_usable(const Tick& tick, int first_point) noexcept;
+  HandOverOutcome post(const Tick& tick, TickReport& report) noexcept;
+  [[nodiscard]] bool plan_is_usable(const Tick& tick) noexcept;
   // Where the joints' references are when the batch begins; empty: not known.
   [[nodiscard]] std::span<const double> start_reference(const Tick& tick) noexcept;
-  // And before a point of the accepted batch.
-  [[nodiscard]] std::span<const double> reference_before(int point) noexcept;
   void note_network(const Tick& tick) noexcept;
   void note_commander(const Tick& tick) noexcept;
   void note_refusal(const Tick& tick, std::string_view text) noexcept;
 
   JointPlanCheck check_;
-  int revision_slot_;  // from which batches may be revised; 0: they may not
   msgclient::EmiHost& host_;
   WallClock wall_clock_;
   EventPublisher event_publisher_;  // before the plug-ins come: none of them writes its stream
@@ -117,8 +112,7 @@ class MainController {
 
   // Large values: kept off the stack.
   std::unique_ptr<JointPlan> plan_ = std::make_unique<JointPlan>();
-  bool had_plan_ = false;               // a good one, for the batch before
-  std::uint64_t plan_publication_ = 0;  // of the topic: the one that was checked last
+  bool had_plan_ = false;  // a good one, for the batch before
   std::unique_ptr<msgclient::HandOver> posted_ = std::make_unique<msgclient::HandOver>();  // sequence 0: none
   std::unique_ptr<msgclient::HandOver> accepted_ =
       std::make_unique<msgclient::HandOver>();  // sequence 0: none

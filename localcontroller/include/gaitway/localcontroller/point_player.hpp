@@ -43,10 +43,9 @@ class PointPlayer {
   // feedback shows the message controller that it came too late.
   void on_resynchronisation(const can::Resynchronisation& repair) noexcept;
   // Begins a slot. False, and nothing changes, for a repetition of the last SYNC. A batch starts on slot 0
-  // only, and one that was passed over there (another one was committed) is dropped. A SYNC amid a batch that
-  // names the toggle of a newer frame revises the batch: it goes on by that frame's points, and what they
-  // differ by in the slots that are over is made up for. After the end of a batch of which it holds a tail
-  // the joint goes on along that, SYNC or not, until a batch starts, a repair comes, or the tail has ended.
+  // only, and one that was passed over there (another one was committed) is dropped. After the end of a batch
+  // of which it holds a tail the joint goes on along that, SYNC or not, until a batch starts, a repair comes,
+  // or the tail has ended.
   bool on_sync(const can::Sync& sync, std::int64_t now_ns) noexcept;
   // Moves to a count over some slots; only while no batch runs, or the rest of one leaves the joint where it
   // is, which is then over for it. False otherwise.
@@ -81,7 +80,7 @@ class PointPlayer {
 
  private:
   // The slot began at `start_ns`; its segment ends with it.
-  void begin_slot(int slot, std::int64_t start_ns, std::int64_t now_ns, std::int32_t made_up = 0) noexcept;
+  void begin_slot(int slot, std::int64_t start_ns, std::int64_t now_ns) noexcept;
   void begin_segment(std::int32_t count, std::int64_t now_ns, std::int64_t duration_ns) noexcept;
   [[nodiscard]] bool start_batch(const can::Sync& sync) noexcept;
   [[nodiscard]] bool take_up_tail() noexcept;
@@ -90,7 +89,6 @@ class PointPlayer {
   [[nodiscard]] bool follow_tail(const can::Sync& sync, std::int64_t now_ns) noexcept;
   [[nodiscard]] std::int32_t count_before_tail_point(int point) const noexcept;
   [[nodiscard]] int slots_since_batch(const can::Sync& sync) const noexcept;
-  [[nodiscard]] std::int32_t revise(const can::Sync& sync) noexcept;
   void make_up_until(int slot) noexcept;
   [[nodiscard]] bool rests() const noexcept;
   void enter_slot(int slot, std::int64_t now_ns) noexcept;
@@ -128,7 +126,6 @@ class PointPlayer {
   std::array<std::int8_t, can::kTailPoints> tail_delta_{};
   std::int32_t batch_end_count_ = 0;
   std::int64_t batch_end_ns_ = 0;
-  int known_from_ = 0;  // slot from which on executing_ is the batch's: not those before a repair
   bool has_repair_ = false;
   can::Resynchronisation repair_;
   bool at_limit_ = false;

@@ -13,10 +13,7 @@ namespace gaitway::msgclient {
 // A batch, its safe tail and the trim gains that hold during both. Fixed storage: 53 kB, so not one for small
 // stacks.
 struct HandOver {
-  std::uint32_t sequence = 0;  // cycle in which the batch plays; 0: none
-  // 0: a new batch. Else the batch that runs is revised from this time slot on; the points before are those
-  // that it has.
-  std::uint32_t first_slot = 0;
+  std::uint32_t sequence = 0;     // cycle in which the batch plays; 0: none
   std::uint32_t joint_count = 0;  // order of RobotModel::joints
   std::uint32_t point_count = 0;  // kBatchPoints and the tail's
   TrimGains trim;
@@ -39,17 +36,17 @@ struct HandOver {
 
 // Fills `hand_over` from the topics `joint_plan` and `trim`. False: a count is out of range, hand_over is not
 // usable.
-[[nodiscard]] bool make_hand_over(const JointPlan& plan, const TrimCommand& trim, HandOver& hand_over,
-                                  std::uint32_t first_slot = 0) noexcept;
+[[nodiscard]] bool make_hand_over(const JointPlan& plan, const TrimCommand& trim,
+                                  HandOver& hand_over) noexcept;
 
 // CRC-32 (IEEE 802.3, as zlib's) over the words' bytes, least significant byte first. For the cycle: no
 // allocation.
 [[nodiscard]] std::uint32_t crc32(std::span<const std::uint32_t> words) noexcept;
 
 // Words, 32 bits each, of the packed form; only what is used travels:
-//   0 format | 1 sequence | 2 joint count, channel count << 8, first slot << 12, point count << 16 | 3..
-//   attitude reference (2), gains (3 x channels x 4) | supports, 2 bits a point, 16 a word | positions
-//   [point][joint] | CRC-32 of all the words before it
+//   0 format | 1 sequence | 2 joint count, channel count << 8, point count << 16 | 3.. attitude reference
+//   (2), gains (3 x channels x 4) | supports, 2 bits a point, 16 a word | positions [point][joint] | CRC-32
+//   of all the words before it
 // Floats as their IEEE 754 bits.
 inline constexpr std::uint32_t kHandOverFormat = 0x47570001;  // "GW", version 1
 constexpr std::size_t hand_over_words(std::size_t joints, std::size_t points, std::size_t channels) noexcept {
@@ -58,8 +55,8 @@ constexpr std::size_t hand_over_words(std::size_t joints, std::size_t points, st
 inline constexpr std::size_t kMaxHandOverWords = hand_over_words(kMaxJoints, kMaxPoints, kTrimChannels);
 
 // Packs into the front of `words`; returns how many were used, or 0 if a count is out of range
-// (joints 1..kMaxJoints, points kBatchPoints..kMaxPoints, channels 0..kTrimChannels, first slot
-// 0..kBatchPoints - 1, supports 0..2) or `words` is too small.
+// (joints 1..kMaxJoints, points kBatchPoints..kMaxPoints, channels 0..kTrimChannels, supports 0..2) or
+// `words` is too small.
 [[nodiscard]] std::size_t encode(const HandOver& hand_over, std::span<std::uint32_t> words) noexcept;
 
 enum class DecodeStatus : std::uint8_t {

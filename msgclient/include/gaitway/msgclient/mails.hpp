@@ -61,10 +61,9 @@ enum class Reason : std::uint32_t {
   not_standing,       // a manual joint command while the robot moves
   unknown_joint,
   unknown_command,
-  node_fault,         // a local controller that is needed is missing or reports a fault
-  nothing_to_revise,  // a revision of a batch that doesn't run, or of what cannot be revised
-  not_stopped,        // a release without an emergency stop
-  releasing           // a release while another one is being carried out
+  node_fault,        // a local controller that is needed is missing or reports a fault
+  not_stopped = 18,  // a release without an emergency stop; 17 is not given
+  releasing          // a release while another one is being carried out
 };
 // One sentence for people.
 std::string_view reason_text(Reason reason) noexcept;

@@ -24,8 +24,7 @@ class BatchIntake {
   // plays first. The trim gains of the batch that was accepted now; null: none was.
   const msgclient::TrimGains* take(std::int64_t now_ns, bool stopping, bool on_their_own) noexcept;
 
-  // Latest hand-over, before its cycle or its first slot begins: the trajectory frames must have arrived by
-  // then.
+  // Latest hand-over, before its cycle begins: the trajectory frames must have arrived by then.
   [[nodiscard]] std::int64_t lead_ns() const noexcept { return lead_ns_; }
 
  private:
@@ -39,7 +38,6 @@ class BatchIntake {
   HandMovement& hand_;
   msgclient::EmiMessage& adapter_;
   std::int64_t lead_ns_;
-  std::uint32_t revision_slot_;                     // from which batches may be revised; 0: they may not
   std::unique_ptr<msgclient::HandOver> hand_over_;  // large: kept off the stack
   std::unique_ptr<CountPlan> plan_;
 };

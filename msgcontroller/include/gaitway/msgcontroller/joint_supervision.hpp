@@ -16,11 +16,11 @@ class JointSupervision {
   JointSupervision(BusLink& link, const Playback& playback) noexcept : link_(link), playback_(playback) {}
 
   void begin_cycle() noexcept;
-  // After the playback has entered the slot. `revised`: the revision begins with it.
-  void enter_slot(int slot, bool revised) noexcept;
+  // After the playback has entered the slot.
+  void enter_slot(int slot) noexcept;
   void take_feedback(int joint, const NetworkWatch::Arrival& arrival) noexcept;
 
-  // The batch, or revision, that has not started, to every joint, and after it its tail.
+  // The batch that has not started, to every joint, and after it its tail.
   void send_waiting() noexcept;
   // The same to one joint, whose frame somebody may have replaced.
   void repair_waiting(int joint) noexcept;

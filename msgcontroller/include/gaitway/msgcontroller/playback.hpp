@@ -1,5 +1,5 @@
-// What the joints are told to play: the running cycle's eight points and their revision, the prepared ones of
-// the next cycle, and the newest accepted plan whose safe tail takes over when no newer batch arrives.
+// What the joints are told to play: the running cycle's eight points, the prepared ones of the next cycle,
+// and the newest accepted plan whose safe tail takes over when no newer batch arrives.
 #pragma once
 
 #include <array>
@@ -20,7 +20,6 @@ struct CountPlan {
   std::uint32_t sequence = 0;  // 0: none
   int joint_count = 0;
   int point_count = 0;  // batch and tail
-  int first_point = 0;  // of a revision: those before it have been played, and are not here
   std::array<std::array<std::int32_t, kMaxJoints>, kMaxPoints> count{};
   std::array<std::uint8_t, kMaxPoints> support{};
 };
@@ -34,8 +33,8 @@ struct CountPlanProblem {
 };
 
 // Converts a hand-over. `count_rad`: size of a count of each joint. `start_count`: each joint's reference
-// where the batch, or the revised part of it, begins. Every change of 10 ms must fit the signed byte of a
-// trajectory frame; nothing is clipped.
+// where the batch begins. Every change of 10 ms must fit the signed byte of a trajectory frame; nothing is
+// clipped.
 CountPlanProblem to_counts(const msgclient::HandOver& hand_over, std::span<const double> count_rad,
                            std::span<const std::int32_t> start_count, CountPlan& plan) noexcept;
 
@@ -54,10 +53,7 @@ class Playback {
 
   // Takes an accepted plan: its batch becomes the prepared segment, its tail the one to fall back on.
   void accept(const CountPlan& plan) noexcept;
-  // Takes an accepted revision of the batch that runs, from plan.first_point on, which is yet to come; its
-  // tail replaces the batch's. Until then nothing else can be prepared.
-  void accept_revision(const CountPlan& plan) noexcept;
-  // Prepares the next eight points of the tail; false when there is none left, or a revision is to come.
+  // Prepares the next eight points of the tail; false when there is none left.
   bool prepare_from_tail() noexcept;
   // Instead of the plan that was accepted last and has not begun: the tail of the one that runs; if that is
   // over, nothing. False, and nothing changes: no plan was accepted since the cycle began, or none runs.
@@ -68,8 +64,7 @@ class Playback {
   void leave_to_joints(int tail_points) noexcept;
   // A new cycle begins: the prepared segment becomes the running one; without one, the joints hold.
   void begin_cycle() noexcept;
-  // True when the revision begins with this slot.
-  bool enter_slot(int slot) noexcept;
+  void enter_slot(int slot) noexcept { slot_ = slot; }
   // Whether all that is left to play, with its tail, keeps each joint within its tolerance of where it is
   // now.
   [[nodiscard]] bool rests(std::span<const std::int32_t> tolerance_counts) const noexcept;
@@ -81,29 +76,17 @@ class Playback {
 
   [[nodiscard]] bool prepared() const noexcept { return prepared_.active; }
   [[nodiscard]] const Segment& running_segment() const noexcept { return running_; }
-  // Whether a batch runs that was accepted for this cycle, and nothing has been accepted since.
-  [[nodiscard]] bool revisable(std::uint32_t cycle) const noexcept {
-    return running_.active && plan_.sequence == cycle && !prepared_.active && !revision_.active;
-  }
-  [[nodiscard]] bool revision_waits() const noexcept { return revision_.active; }
-  // What the joints play in a slot of the running cycle.
-  [[nodiscard]] const Segment& segment_in(int slot) const noexcept {
-    return revision_.active && slot >= revision_slot_ ? revision_ : running_;
-  }
-  // What is with the joints ahead of its start, if anything is, and the slot of this cycle that it starts at.
+  // What is with the joints ahead of its start, if anything is.
   [[nodiscard]] const Segment* waiting_segment() const noexcept {
-    return revision_.active ? &revision_ : prepared_.active ? &prepared_ : nullptr;
+    return prepared_.active ? &prepared_ : nullptr;
   }
-  [[nodiscard]] int waiting_from() const noexcept { return revision_.active ? revision_slot_ : kBatchPoints; }
-  // The slot at which what runs now began: 0, or a revision's.
-  [[nodiscard]] int running_from() const noexcept { return running_from_; }
   [[nodiscard]] int slot() const noexcept { return slot_; }
   [[nodiscard]] std::uint32_t accepted_sequence() const noexcept { return plan_.sequence; }
   // After leave_to_joints, until a prepared segment begins or they have been through all.
   [[nodiscard]] bool left_to_joints() const noexcept { return alone_.on; }
-  // How many points follow the segment that was prepared last, or revised, until both feet are down: those
-  // that the joints should have in advance. 0: both are down where it ends. Nothing: they come down later
-  // than after `most` points.
+  // How many points follow the segment that was prepared last until both feet are down: those that the joints
+  // should have in advance. 0: both are down where it ends. Nothing: they come down later than after `most`
+  // points.
   [[nodiscard]] std::optional<int> points_to_both_feet(int most) const noexcept;
   // Change of a joint at one of these points.
   [[nodiscard]] std::int32_t tail_delta(int joint, int point) const noexcept;
@@ -113,10 +96,8 @@ class Playback {
   // The reference of a joint at the end of a slot of the running cycle, and where the next segment begins.
   [[nodiscard]] std::int32_t expected_count(int joint, int slot) const noexcept;
   [[nodiscard]] std::span<const std::int32_t> next_start() const noexcept;
-  // The references of all joints at the end of the slot before `slot` of the running cycle, 1..kBatchPoints.
-  [[nodiscard]] std::span<const std::int32_t> reached_before(std::uint32_t slot) const noexcept;
-  // Change of a joint in a slot of the segment that waits: the prepared one starts where the running one (or
-  // the hold) ends, a revision where the running one started.
+  // Change of a joint in a slot of the segment that waits, which starts where the running one (or the hold)
+  // ends.
   [[nodiscard]] std::int32_t waiting_delta(int joint, int slot) const noexcept;
   // The same of the running segment.
   [[nodiscard]] std::int32_t running_delta(int joint, int slot) const noexcept;
@@ -132,7 +113,6 @@ class Playback {
     int passed = 0;  // slots from the batch's end to the running cycle's begin
   };
   void prepare(int first_point) noexcept;
-  void begin_revision() noexcept;
   void go_on_alone() noexcept;
   void keep_outgoing_plan() noexcept;
   [[nodiscard]] const std::int32_t* alone_counts(int slot) const noexcept;
@@ -146,9 +126,6 @@ class Playback {
   int running_cursor_ = 0;
   bool plan_waits_ = false;  // plan_ was accepted in this cycle
   Segment running_, prepared_;
-  Segment revision_;  // of the running one; its points before revision_slot_ are the same
-  int revision_slot_ = 0;
-  int running_from_ = 0;
   std::array<std::int32_t, kMaxJoints> held_{};  // where the joints stand when no segment runs
   Alone alone_;
   // As it was when the running cycle began: what the joints have if its SYNC has not reached them.

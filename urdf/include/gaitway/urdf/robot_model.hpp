@@ -190,9 +190,6 @@ struct NetworkSettings {
   std::string profile = "full";
   int line = 0;  // of the network file; 0: it says nothing
   std::vector<MessageSetting> messages;
-  // The time slot of each cycle from which on its batch may be revised; 0: batches are played as they are
-  // handed over.
-  int revision_slot = 0;
   // How many frames each joint has for the points after its batch, of eight points each; 0: none. Nothing: as
   // many as the gait of a body of this size needs, and the bus can carry.
   std::optional<int> tail_parts;

@@ -28,14 +28,6 @@ inline constexpr std::int64_t kTickPhase_ns = 4 * facts::kMillisecond_ns;
 // The batch of cycle n is prepared at the tick of this slot of cycle n - 1: 16 ms before it plays.
 inline constexpr std::uint32_t kBatchSlot = 6;
 
-// A batch that runs may be revised from this slot of its cycle on, if the network allows it: at the tick as
-// long before that slot as a batch is prepared before its cycle. Its sequence is the running cycle's number.
-constexpr bool is_revision_tick(const Tick& tick, int revision_slot) noexcept {
-  constexpr int kAhead = facts::kSlotsPerCycle - static_cast<int>(kBatchSlot);
-  const auto slot = static_cast<int>(tick.tick % facts::kSlotsPerCycle);
-  return revision_slot > 0 && slot == revision_slot - kAhead;
-}
-
 // Whether a tick is due exactly at `now_ns`.
 constexpr bool is_tick(std::int64_t now_ns, std::int64_t phase_ns = kTickPhase_ns) noexcept {
   return now_ns >= phase_ns && (now_ns - phase_ns) % facts::kSlot_ns == 0;

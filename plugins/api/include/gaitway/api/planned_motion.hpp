@@ -26,7 +26,7 @@ struct PlannedMoment {
 // Holds four plans of 28 KiB: for the heap. take() and at() do not allocate.
 class PlannedMotion {
  public:
-  // A plan, or a revision of one. One without sequence is not taken.
+  // A plan, in the place of one of the same batch. One without sequence is not taken.
   void take(const MotionPlan& plan) noexcept;
   void clear() noexcept { kept_ = {}; }
 

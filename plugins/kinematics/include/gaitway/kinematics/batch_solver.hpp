@@ -33,9 +33,7 @@ struct BatchOutcome {
 // Solves every point of the batch with the CoM where it is planned (kBatchTolerance_m). In the tail, the
 // base's offset from the CoM is solved at every fourth point and interpolated between; the legs are solved at
 // each. Arms swing and the head turns as the plan has it; all other joints stay at home. Remembers the last
-// batch's offsets as first guess, and the correction. The last batch's sequence again is a revision of it: it
-// is solved from what it was solved from, with its correction, so that points that have not changed come out
-// as they were.
+// batch's offsets as first guess, and the correction.
 class BatchSolver {
  public:
   static constexpr double kBatchTolerance_m = 0.05e-3;

@@ -34,7 +34,7 @@ class CorrectionFade {
   explicit CorrectionFade(double most_rad_per_s) noexcept : most_rad_per_s_(most_rad_per_s) {}
 
   // Starts the batch `sequence`. A successor begins with what the last one has reached by then, in its batch
-  // or in its tail; the same sequence again (a revision) begins where it began before.
+  // or in its tail; the same sequence again begins where it began before.
   void begin(std::uint32_t sequence, std::uint32_t batch_count, std::uint32_t tail_count,
              const BaseOffset& target) noexcept {
     if (sequence_ == 0 || sequence < sequence_) {
@@ -56,9 +56,6 @@ class CorrectionFade {
   }
   // Nothing is played any more.
   void forget() noexcept { *this = CorrectionFade(most_rad_per_s_); }
-
-  // What the last batch goes to.
-  [[nodiscard]] const BaseOffset& target() const noexcept { return target_; }
 
   // Offset at a point: 0 is the first of the batch; beyond the tail's end as at its end.
   [[nodiscard]] BaseOffset at(std::uint64_t point) const noexcept {

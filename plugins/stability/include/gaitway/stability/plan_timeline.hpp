@@ -36,7 +36,8 @@ struct PlanMoment {
 
 class PlanTimeline {
  public:
-  // Takes a plan, or a revision of one. A plan without sequence or with non-finite yaw is not taken.
+  // Takes a plan, in the place of one of the same batch. A plan without sequence or with non-finite yaw is
+  // not taken.
   void take(const MotionPlan& plan) noexcept;
 
   // Whether the trunk is to stay near upright through the newest plan and its tail: the message controller,

@@ -17,15 +17,14 @@ class DivergenceFeedback {
  public:
   explicit DivergenceFeedback(const GaitParameters& parameters) noexcept;
 
-  // Point i of the batch is reached at the end of its slot i. A revision takes the place of its batch.
+  // Point i of the batch is reached at the end of its slot i. A batch that is planned anew takes its own
+  // place.
   void take(const MotionPlan& plan) noexcept;
   // At its start, at `start_ns`, the plan has taken over so much of the deviation that was seen.
   void answered(const Eigen::Vector2d& by_m, std::int64_t start_ns) noexcept {
     answered_m_ = by_m;
     answered_ns_ = start_ns;
   }
-  // What was taken is not what the robot plays.
-  void forget() noexcept { points_ = {}; }
 
   // Estimated less planned DCM at `start_ns`, in the plan's frame, m: the deviation at the estimate's
   // instant, both seen from the support foot, led on by ξ̇ = ω (ξ − p) as if the ZMP p stayed as far from the

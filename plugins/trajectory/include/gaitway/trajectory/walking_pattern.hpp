@@ -36,17 +36,7 @@ class WalkingPattern {
             const Eigen::Vector2d& dcm_deviation_m = Eigen::Vector2d::Zero(),
             const PlannedSteps& steps = {}) noexcept;
 
-  // Plans the last batch anew from its point `first` on, which plan() was told by revise_from(), and its
-  // tail; the points before stay as `plan` has them. False, and nothing changes: `plan` is not of the last
-  // batch, or that was revised before. dcm_deviation_m: at the start of that slot.
-  bool revise(const WalkCommand& command, const Correction& correction, MotionPlan& plan,
-              const Eigen::Vector2d& dcm_deviation_m, const PlannedSteps& steps = {}) noexcept;
-  // The point, 1..kBatchPoints - 1, from which batches may be revised from now on.
-  void revise_from(int first) noexcept { first_revised_ = first; }
-  // The last revision is not played: the batch goes on as it was planned first.
-  void take_revision_back() noexcept;
-
-  // By how much the DCM of the last plan, or revision, jumped at its start, towards the body's; plan's frame.
+  // By how much the DCM of the last plan jumped at its start, towards the body's; plan's frame.
   [[nodiscard]] const Eigen::Vector2d& answered_m() const noexcept { return answered_m_; }
   // Where the tail of the last plan ends: the middle between the sole origins.
   [[nodiscard]] const Pose2& final_stance() const noexcept { return final_stance_; }
@@ -84,11 +74,10 @@ class WalkingPattern {
   void advance_step(PatternState& state) noexcept;
   void advance_settling(PatternState& state) const noexcept;
 
-  void write_batch(int first, MotionPlan& plan) noexcept;
+  void write_batch(MotionPlan& plan) noexcept;
   void write_tail(MotionPlan& plan) noexcept;
   void write_point(const PatternState& state, std::size_t index, MotionPlan& plan) const noexcept;
-  // The state is at the plan's point `first`.
-  void write_footsteps(int first, MotionPlan& plan) const noexcept;
+  void write_footsteps(MotionPlan& plan) const noexcept;
 
   GaitParameters parameters_;
   PreviewController controller_;
@@ -96,11 +85,6 @@ class WalkingPattern {
   WalkReference walk_;
   PushRecovery recovery_;
   PatternState state_, tail_state_;
-  // Of the last batch: where it may be revised, and, once it is, how it ended as it was planned first.
-  int first_revised_ = 0;  // 0: it may not
-  std::uint32_t revisable_sequence_ = 0;
-  PatternState revisable_state_, unrevised_state_;
-  Pose2 unrevised_final_stance_;
   ZmpReference batch_reference_, tail_reference_;
   Pose2 final_stance_;
   Eigen::Vector2d answered_m_ = Eigen::Vector2d::Zero();
