@@ -252,7 +252,13 @@ ModelPointer build_physics_model(const urdf::RobotModel& robot, const ModelMisma
   add_sky(spec.get());
   if (!world || world->lights.empty()) add_sun(spec.get());
   add_robot(spec.get(), robot, mismatch, conditions);
-  if (world) add_things(spec.get(), *world, friction);
+  if (world) {
+    for (const urdf::Foot& foot : robot.feet) {
+      const std::string& link = robot.links[static_cast<std::size_t>(foot.link)].name;
+      make_equal_to_ground(mjs_findBody(spec.get(), link.c_str()), *world, friction);
+    }
+    add_things(spec.get(), *world, friction);
+  }
   leave_out(spec.get(), robot, neighbouring_links(robot));
   ModelPointer model = compiled(spec.get(), robot, world);
   const std::vector<LinkPair> touching = touching_at_home(*model, robot);

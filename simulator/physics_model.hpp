@@ -54,6 +54,9 @@ ModelPointer build_physics_model(const urdf::RobotModel& robot, const ModelMisma
 // All of a world but its things. `friction`: of what names none.
 void add_world(mjSpec* spec, const world::World& world, double friction);
 void add_things(mjSpec* spec, const world::World& world, double friction);
+// A foot's shapes: on ground and solids of the world their springs count as much as the ground's, and the
+// friction is that of what they stand on.
+void make_equal_to_ground(mjsBody* foot, const world::World& world, double friction);
 
 // Of the ground's frame in the world; the identity where the ground is level. The ground's z is its normal.
 [[nodiscard]] Eigen::Quaterniond ground_rotation(const GroundConditions& ground);

@@ -163,6 +163,19 @@ void add_world(mjSpec* spec, const world::World& world, double friction) {
   for (const world::Light& light : world.lights) add_light(spec, light);
 }
 
+// Between equals the larger friction counts, and the mean of their springs.
+void make_equal_to_ground(mjsBody* foot, const world::World& world, double friction) {
+  for (const world::Solid& solid : world.solids) {
+    friction = std::min(friction, solid.friction.value_or(friction));
+  }
+  for (mjsElement* shape = mjs_firstChild(foot, mjOBJ_GEOM, 0); shape != nullptr;
+       shape = mjs_nextChild(foot, shape, 0)) {
+    mjsGeom* const geom = mjs_asGeom(shape);
+    geom->priority = kSolidPriority;
+    geom->friction[0] = friction;
+  }
+}
+
 void add_things(mjSpec* spec, const world::World& world, double friction) {
   for (const world::Thing& thing : world.things) add_thing(spec, thing, friction);
 }

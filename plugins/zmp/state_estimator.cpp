@@ -320,7 +320,9 @@ void StateEstimator::write_odometry(Estimate& estimate) const noexcept {
 void StateEstimator::write_deviations(Estimate& estimate) const noexcept {
   const double omega = omega_rad_per_s();
   Eigen::Vector3d model = model_uncertainty_.com_m.cwiseAbs2();
-  model.head<2>() = com_offset_.variance_m2();
+  // Of a tilt that is off, the CoM is beside the foot. How the IMU is mounted is in the offset's variance.
+  const double tilt_rad = attitude_.attitude_deviation_rad().head<2>().maxCoeff();
+  model.head<2>() = com_offset_.variance_m2().array() + Eigen::numext::abs2(tilt_rad * com_[2].position_m());
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double of_model = model[static_cast<Eigen::Index>(axis)];
     estimate.com_deviation[axis] = std::sqrt(com_[axis].position_variance() + of_model);
