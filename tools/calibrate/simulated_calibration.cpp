@@ -47,7 +47,7 @@ void PosePerformer::take(const simulator::PlantSensors& sensors, StandingReading
   for (std::size_t j = 0; j < joint_rad.size(); ++j) {
     joint_rad[j] = sensors.encoder_count[j] * robot_.joints[j].encoder_count_rad;
   }
-  reading.take(joint_rad, robot_.imu.in_link(sensors.acceleration_m_per_s2),
+  reading.take(joint_rad, robot_.imu.specific_force_in_link(sensors.acceleration_m_per_s2),
                robot_.imu.tilt_in_link(sensors.inclination_rad), sensors.force_N);
 }
 
