@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/geometry/tilt.hpp"
 #include "gaitway/input/complaint.hpp"
 #include "gaitway/input/yaml_value.hpp"
 #include "gaitway/urdf/calibration.hpp"
@@ -20,6 +21,7 @@ using Keys = std::vector<std::string_view>;
 
 using facts::kRadPerDegree;
 constexpr input::Range kZero_deg{-20.0, 20.0, "deg"};
+constexpr input::Range kImuTilt_deg{-20.0, 20.0, "deg"};
 constexpr input::Range kComOffset_m{-0.1, 0.1, "m"};
 constexpr input::Range kGain{0.5, 2.0, ""};
 constexpr input::Range kDeviation{0.0, 1000.0, ""};
@@ -56,6 +58,34 @@ void read_joint_zeros(const input::YamlValue& map, const RobotModel& model, Cali
     }
     calibration.zero_rad[static_cast<std::size_t>(found - known.begin())] = zero_of(value);
   }
+}
+
+std::optional<Calibrated<2>> tilt_of(const input::YamlValue& map, std::string_view sensor) {
+  const auto tilt_deg = map.find(sensor);
+  if (!tilt_deg) return std::nullopt;
+  Calibrated<2> tilt_rad = values_with_deviation<2>(*tilt_deg, kImuTilt_deg);
+  for (double& angle : tilt_rad.value) angle *= kRadPerDegree;
+  if (tilt_rad.deviation) {
+    for (double& angle : *tilt_rad.deviation) angle *= kRadPerDegree;
+  }
+  return tilt_rad;
+}
+
+ImuTilts imu_tilts(const input::YamlValue& map, const RobotModel& model) {
+  map.require_map(Keys{"gyro", "accelerometer", "inclinometer"});
+  ImuTilts tilts{tilt_of(map, "gyro"), tilt_of(map, "accelerometer"), tilt_of(map, "inclinometer")};
+  if (tilts.inclinometer_rad && !model.carries(SensorKind::inclination)) {
+    map.at("inclinometer")
+        .refuse(fmt::format("the robot '{}' has no inclinometer", model.name), "Leave this key out.");
+  }
+  return tilts;
+}
+
+// The least turn of what a sensor says by which it says upright where it says this tilt.
+Eigen::Matrix3d levelled(const std::optional<Calibrated<2>>& tilt_rad) {
+  if (!tilt_rad) return Eigen::Matrix3d::Identity();
+  const Eigen::Vector3d up = geometry::up_at_tilt(Eigen::Vector2d(tilt_rad->value.data()));
+  return Eigen::Quaterniond::FromTwoVectors(up, Eigen::Vector3d::UnitZ()).toRotationMatrix();
 }
 
 // A number of exactly so many digits at the text's beginning, which is taken off; -1: there is none.
@@ -127,7 +157,8 @@ void set_gains(Side side, const std::array<double, Calibration::kCells>& gains, 
 
 Calibration read_file(const std::filesystem::path& file, const RobotModel& model) {
   const input::YamlValue top = input::YamlValue::read(file);
-  top.require_map(Keys{"robot", "made", "joint_zeros_deg", "trunk_com_offset_m", "force_cell_gains"});
+  top.require_map(
+      Keys{"robot", "made", "joint_zeros_deg", "trunk_com_offset_m", "force_cell_gains", "imu_tilts_deg"});
   const input::YamlValue robot = top.at("robot");
   if (robot.text() != model.name) {
     robot.refuse(fmt::format("the robot in this folder is '{}'", model.name),
@@ -145,6 +176,7 @@ Calibration read_file(const std::filesystem::path& file, const RobotModel& model
     calibration.cell_gain = {values_with_deviation<Calibration::kCells>(gains->at("left"), kGain),
                              values_with_deviation<Calibration::kCells>(gains->at("right"), kGain)};
   }
+  if (const auto tilts = top.find("imu_tilts_deg")) calibration.imu_tilt = imu_tilts(*tilts, model);
   return calibration;
 }
 
@@ -167,6 +199,9 @@ void apply_calibration_file(const std::filesystem::path& file, RobotModel& model
   if (const auto& gains = calibration.cell_gain) {
     for (const Side side : kSides) set_gains(side, (*gains)[index_of(side)].value, model);
   }
+  model.imu.levelling = {.gyro = levelled(calibration.imu_tilt.gyro_rad),
+                         .accelerometer = levelled(calibration.imu_tilt.accelerometer_rad),
+                         .inclinometer = levelled(calibration.imu_tilt.inclinometer_rad)};
 }
 
 }  // namespace gaitway::urdf

@@ -83,8 +83,8 @@ struct NetworkFile {
 [[nodiscard]] NetworkFile read_network_file(const std::filesystem::path& file);
 
 // calibration.yaml, what is known of one robot beyond what its kind's description says: puts joint zeros, the
-// trunk's centre of mass and force cells' gains into a model that has none of them yet. What the file does
-// not name stays as described.
+// trunk's centre of mass, force cells' gains and the IMU's tilts into a model that has none of them yet. What
+// the file does not name stays as described.
 void apply_calibration_file(const std::filesystem::path& file, RobotModel& model);
 
 // Physical mass and inertia, plausible dimensions.

@@ -118,16 +118,18 @@ std::optional<int> RobotModel::joint_of_node(int node) const noexcept {
   return static_cast<int>(found - joints.begin());
 }
 
-Eigen::Vector3d Imu::in_link(const Eigen::Vector3d& along_own_axes) const noexcept {
-  return pose.linear() * along_own_axes;
+Eigen::Vector3d Imu::angular_velocity_in_link(const Eigen::Vector3d& along_own_axes) const noexcept {
+  return levelling.gyro * (pose.linear() * along_own_axes);
+}
+
+Eigen::Vector3d Imu::specific_force_in_link(const Eigen::Vector3d& along_own_axes) const noexcept {
+  return levelling.accelerometer * (pose.linear() * along_own_axes);
 }
 
 Eigen::Vector2d Imu::tilt_in_link(const Eigen::Vector2d& own_tilt_rad) const noexcept {
-  if (pose.linear().isIdentity(0.0)) return own_tilt_rad;
-  const double roll = own_tilt_rad.x(), pitch = own_tilt_rad.y();
-  const Eigen::Vector3d up(-std::sin(pitch), std::sin(roll) * std::cos(pitch),
-                           std::cos(roll) * std::cos(pitch));
-  return geometry::tilt_at_rest(pose.linear() * up);
+  const Eigen::Matrix3d turn = levelling.inclinometer * pose.linear();
+  if (turn.isIdentity(0.0)) return own_tilt_rad;
+  return geometry::tilt_at_rest(turn * geometry::up_at_tilt(own_tilt_rad));
 }
 
 }  // namespace gaitway::urdf

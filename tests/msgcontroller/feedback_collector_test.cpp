@@ -94,6 +94,29 @@ TEST(FeedbackCollector, AnImuThatIsTurnedSpeaksAlongItsLinksAxes) {
   EXPECT_NEAR(imu.inclination[1], 0.1, 1e-3);
 }
 
+// As a calibration has it.
+TEST(FeedbackCollector, EachSensorOfTheImuIsLevelled) {
+  const RobotVariant variant;
+  urdf::RobotModel robot = urdf::load_robot(variant.folder());
+  const Eigen::Vector3d ahead = Eigen::Vector3d::UnitY(), left = Eigen::Vector3d::UnitX();
+  robot.imu.levelling = {.gyro = Eigen::AngleAxisd(0.02, left).toRotationMatrix(),
+                         .accelerometer = Eigen::AngleAxisd(0.03, ahead).toRotationMatrix(),
+                         .inclinometer = Eigen::AngleAxisd(0.04, ahead).toRotationMatrix()};
+  Feedback feedback(robot);
+  feedback.slot({{"acceleration_x", 9.81 * std::sin(-0.03)},
+                 {"acceleration_z", 9.81 * std::cos(0.03)},
+                 {"angular_velocity_y", std::cos(0.02)},
+                 {"angular_velocity_z", std::sin(-0.02)},
+                 {"inclination_pitch", 0.04}});
+  const Imu& imu = feedback.collector().imu();
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(imu.acceleration[axis], axis == 2 ? 9.81 : 0.0, 0.01);
+    EXPECT_NEAR(imu.angular_velocity[axis], axis == 1 ? 1.0 : 0.0, 0.001);
+  }
+  EXPECT_NEAR(imu.inclination[0], 0.0, 1e-3);
+  EXPECT_NEAR(imu.inclination[1], 0.0, 1e-3);
+}
+
 class DerivedInclination : public ::testing::Test {
  protected:
   // A trunk that stands rolled and pitched by this much, turning at `rate`.

@@ -3,6 +3,7 @@
 #include "gaitway/urdf/forward_kinematics.hpp"
 
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/geometry/tilt.hpp"
 #include "gaitway/urdf/calibration.hpp"
 
 namespace gaitway::urdf {
@@ -17,6 +18,9 @@ trunk_com_offset_m: {value: [0.004, -0.002, 0.01], deviation: [0.001, 0.001, 0.0
 force_cell_gains:
   left: {value: [1.01, 0.99, 1.02, 0.98]}
   right: {value: [1.03, 1.0, 1.0, 0.97], deviation: [0.01, 0.01, 0.01, 0.01]}
+imu_tilts_deg:
+  accelerometer: {value: [1.5, -0.5], deviation: [0.1, 0.3]}
+  inclinometer: {value: [-0.8, 0.4]}
 )";
 
 TEST(CalibrationFile, becomes_part_of_the_model) {
@@ -56,12 +60,43 @@ TEST(CalibrationFile, becomes_part_of_the_model) {
   EXPECT_EQ(cells, 8);
 }
 
+Eigen::Vector3d up_at(double roll_deg, double pitch_deg) {
+  return geometry::up_at_tilt(kRadPerDegree * Eigen::Vector2d(roll_deg, pitch_deg));
+}
+
+TEST(CalibrationFile, levels_what_each_sensor_of_the_imu_says) {
+  const test::BrokenRobot robot;
+  const RobotModel described = robot.load();
+  robot.write("calibration.yaml", kSound);
+  const RobotModel calibrated = robot.load();
+  const Imu& imu = calibrated.imu;
+  EXPECT_TRUE(imu.specific_force_in_link(up_at(1.5, -0.5)).isApprox(Eigen::Vector3d::UnitZ(), 1e-9));
+  EXPECT_LT(imu.tilt_in_link(kRadPerDegree * Eigen::Vector2d(-0.8, 0.4)).norm(), 1e-9);
+  // Forward by 10 degrees is 10 degrees more than upright.
+  const Eigen::Vector2d ahead = imu.tilt_in_link(kRadPerDegree * Eigen::Vector2d(-0.8, 10.4));
+  EXPECT_NEAR(ahead.x(), 0.0, 0.02 * kRadPerDegree);
+  EXPECT_NEAR(ahead.y(), 10.0 * kRadPerDegree, 0.02 * kRadPerDegree);
+  const Eigen::Vector3d turn(0.1, -0.2, 0.3);
+  EXPECT_EQ(imu.angular_velocity_in_link(turn), turn) << "the file says nothing of it";
+  EXPECT_TRUE(imu.pose.isApprox(described.imu.pose, 0.0)) << "where the simulated body has it";
+}
+
+TEST(CalibrationFile, without_tilts_of_the_imu_leaves_it_as_described) {
+  const test::BrokenRobot robot;
+  robot.write("calibration.yaml", "robot: humanoid22\n");
+  const Imu imu = robot.load().imu;
+  const Eigen::Vector2d tilt_rad(0.1, -0.2);
+  EXPECT_EQ(imu.tilt_in_link(tilt_rad), tilt_rad);
+  EXPECT_EQ(imu.specific_force_in_link(Eigen::Vector3d::UnitX()), Eigen::Vector3d::UnitX());
+}
+
 TEST(CalibrationFile, may_be_left_out) {
   const test::BrokenRobot robot;
   robot.write("calibration.yaml", kSound);
   const RobotModel described = load_robot(robot.folder(), CalibrationUse::left_out);
   EXPECT_EQ(described.trunk_com_offset_m, Eigen::Vector3d::Zero());
   for (const Joint& joint : described.joints) EXPECT_EQ(joint.encoder_zero_rad, 0.0);
+  EXPECT_EQ(described.imu.specific_force_in_link(Eigen::Vector3d::UnitX()), Eigen::Vector3d::UnitX());
 }
 
 TEST(CalibrationFile, is_read_as_it_is_for_who_shows_it) {
@@ -80,6 +115,11 @@ TEST(CalibrationFile, is_read_as_it_is_for_who_shows_it) {
   EXPECT_EQ(calibration->trunk_com_offset_m->value[2], 0.01);
   EXPECT_EQ((*calibration->cell_gain)[1].value[0], 1.03);
   EXPECT_FALSE((*calibration->cell_gain)[0].deviation);
+  EXPECT_FALSE(calibration->imu_tilt.gyro_rad);
+  ASSERT_TRUE(calibration->imu_tilt.accelerometer_rad && calibration->imu_tilt.accelerometer_rad->deviation);
+  EXPECT_DOUBLE_EQ(calibration->imu_tilt.accelerometer_rad->value[0], 1.5 * kRadPerDegree);
+  EXPECT_DOUBLE_EQ((*calibration->imu_tilt.accelerometer_rad->deviation)[1], 0.3 * kRadPerDegree);
+  EXPECT_FALSE(calibration->imu_tilt.inclinometer_rad->deviation);
   robot.write("calibration.yaml", kSound);
   EXPECT_EQ(read_calibration(robot.load())->made, "") << "files from before it was written say nothing";
 }
@@ -116,6 +156,9 @@ TEST(CalibrationFile, is_refused_with_its_place) {
   expect("0.004", "4", {"calibration.yaml:5", "0.1"});
   expect("1.02", "0", {"calibration.yaml:7", "0.5"});
   expect("force_cell_gains", "force_cell_gain", {"calibration.yaml:6", "force_cell_gains"});
+  expect("1.5, -0.5", "150, -0.5", {"calibration.yaml:10", "imu_tilts_deg.accelerometer", "150", "20"});
+  expect("-0.8, 0.4", "-0.8", {"calibration.yaml:11", "imu_tilts_deg.inclinometer"});
+  expect("inclinometer:", "inclinator:", {"calibration.yaml:11", "inclinator", "inclinometer"});
 }
 
 }  // namespace

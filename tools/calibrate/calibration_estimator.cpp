@@ -116,6 +116,7 @@ class Estimation {
   [[nodiscard]] Eigen::RowVectorXd gradient(
       const std::function<double(const Eigen::VectorXd&)>& function) const;
   [[nodiscard]] Estimate derived(const std::function<double(const Eigen::VectorXd&)>& function) const;
+  void write_imu(Calibration& result) const;
   void write_posture(Calibration& result) const;
 
   const urdf::RobotModel& robot_;
@@ -219,6 +220,18 @@ Estimate Estimation::derived(const std::function<double(const Eigen::VectorXd&)>
   return {function(parameters_), std::sqrt((slope * covariance_ * slope.transpose()).value()), slope.norm()};
 }
 
+void Estimation::write_imu(Calibration& result) const {
+  for (const ImuSensor sensor : kImuSensors) {
+    for (Eigen::Index axis = 0; axis < 2; ++axis) {
+      const auto tilt_rad = [this, sensor, axis](const Eigen::VectorXd& at) {
+        return tilt_said(sensor, robot_.imu, layout_->robot(at).imu, Eigen::Vector3d::UnitZ())[axis];
+      };
+      result.imu_tilt_rad[static_cast<std::size_t>(sensor)][static_cast<std::size_t>(axis)] =
+          derived(tilt_rad);
+    }
+  }
+}
+
 void Estimation::write_posture(Calibration& result) const {
   for (std::size_t i = 0; i < kPostureErrors; ++i) {
     const Estimate estimate = derived(
@@ -250,6 +263,7 @@ Calibration Estimation::run() {
   }
   result.mass_kg =
       derived([this](const Eigen::VectorXd& at) { return total_mass_kg(robot_, layout_->robot(at)); });
+  write_imu(result);
   write_posture(result);
   return result;
 }

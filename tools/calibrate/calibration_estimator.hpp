@@ -33,6 +33,9 @@ struct Estimate {
 
 // Below this the poses cannot tell a value: what is reported is mostly the guess that there is no deviation.
 inline constexpr double kToldShare = 0.5;
+// Below this they say nothing of it. In between, what several values add up to may well be told: they hold
+// together, all of them or none.
+inline constexpr double kHeardShare = 0.05;
 
 // What single deviations add up to in the standing posture: what a walk depends on.
 struct PostureError {
@@ -46,7 +49,9 @@ struct Calibration {
   std::vector<Estimate> zero_rad;                         // of each joint
   std::array<Estimate, 3> trunk_com_m;                    // x, y, z
   std::array<std::array<Estimate, kCells>, 2> cell_gain;  // [Side]
-  Estimate mass_kg;                                       // of the whole robot
+  // Roll and pitch that each sensor of the IMU says while its link stands upright: [ImuSensor].
+  std::array<std::array<Estimate, 2>, kImuSensors.size()> imu_tilt_rad;
+  Estimate mass_kg;  // of the whole robot
   std::vector<PostureError> posture;
   // RMS of what the measurements leave unexplained, in the deviations that they should have: about 1.
   double misfit = 0.0;
@@ -67,7 +72,7 @@ inline constexpr double kLargestMisfit = 2.0;
 [[nodiscard]] std::vector<double> posture_errors(const urdf::RobotModel& robot,
                                                  const RobotDeviations& deviations);
 
-inline constexpr std::size_t kPostureErrors = 10;
+inline constexpr std::size_t kPostureErrors = 12;
 
 struct NamedQuantity {
   std::string_view name, unit;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace gaitway::calibration {
 namespace {
@@ -15,6 +16,7 @@ namespace {
 constexpr double kMm = 1000.0, kPercent = 100.0;
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<const char*, kCells> kCellNames{"front left", "front right", "rear left", "rear right"};
+constexpr std::array<const char*, kImuSensors.size()> kSensorNames{"gyro", "accelerometer", "inclinometer"};
 
 Estimate scaled(const Estimate& estimate, double factor, double from = 0.0) {
   return {factor * (estimate.value - from), factor * estimate.deviation, factor * estimate.prior_deviation};
@@ -22,6 +24,10 @@ Estimate scaled(const Estimate& estimate, double factor, double from = 0.0) {
 
 bool is_told(const Estimate& estimate) {
   return estimate.learned() >= kToldShare;
+}
+
+std::span<const ImuSensor> sensors_of(const urdf::RobotModel& robot) {
+  return std::span(kImuSensors).first(robot.carries(urdf::SensorKind::inclination) ? 3 : 2);
 }
 
 bool is_of_a_leg(const urdf::RobotModel& robot, std::size_t joint) {
@@ -60,6 +66,24 @@ ReportSection cell_section(const Calibration& calibration, const RobotDeviations
       section.rows.push_back({fmt::format("{} foot, {}", side == 0 ? "left" : "right", kCellNames[cell]), "%",
                               scaled(calibration.cell_gain[side][cell], kPercent, 1.0),
                               truth != nullptr ? kPercent * (truth->cell_gain[side][cell] - 1.0) : kUnknown});
+    }
+  }
+  return section;
+}
+
+ReportSection imu_section(const urdf::RobotModel& robot, const Calibration& calibration,
+                          const RobotDeviations* truth) {
+  constexpr std::array kAxes{"roll", "pitch"};
+  ReportSection section{"IMU: what it says of an upright trunk", {}};
+  for (const ImuSensor sensor : sensors_of(robot)) {
+    const auto index = static_cast<std::size_t>(sensor);
+    const Eigen::Vector2d real = truth != nullptr
+                                     ? tilt_said(sensor, robot.imu, truth->imu, Eigen::Vector3d::UnitZ())
+                                     : Eigen::Vector2d::Constant(kUnknown);
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      section.rows.push_back({fmt::format("{}, {}", kSensorNames[index], kAxes[axis]), "deg",
+                              scaled(calibration.imu_tilt_rad[index][axis], facts::kDegreePerRad),
+                              facts::kDegreePerRad * real[static_cast<Eigen::Index>(axis)]});
     }
   }
   return section;
@@ -110,8 +134,11 @@ std::string pair_text(const Values& estimates) {
 
 std::vector<ReportSection> report_sections(const urdf::RobotModel& robot, const Calibration& calibration,
                                            const RobotDeviations* truth) {
-  return {zero_section(robot, calibration, truth, true), zero_section(robot, calibration, truth, false),
-          trunk_section(calibration, truth), cell_section(calibration, truth),
+  return {zero_section(robot, calibration, truth, true),
+          zero_section(robot, calibration, truth, false),
+          trunk_section(calibration, truth),
+          cell_section(calibration, truth),
+          imu_section(robot, calibration, truth),
           posture_section(robot, calibration, truth)};
 }
 
@@ -144,9 +171,18 @@ std::string calibration_text(const urdf::RobotModel& robot, const Calibration& c
       robot.name, fmt::gmtime(made_s));
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {
     const Estimate& zero = calibration.zero_rad[j];
-    if (!is_told(zero)) continue;
+    if (zero.learned() < kHeardShare) continue;
     text += fmt::format("  {}: {{value: {:.4f}, deviation: {:.4f}}}\n", robot.joints[j].name,
                         facts::kDegreePerRad * zero.value, facts::kDegreePerRad * zero.deviation);
+  }
+  text += "imu_tilts_deg:  # roll, pitch that each sensor says of an upright trunk\n";
+  for (const ImuSensor sensor : sensors_of(robot)) {
+    const auto index = static_cast<std::size_t>(sensor);
+    std::array<Estimate, 2> tilt_deg;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      tilt_deg[axis] = scaled(calibration.imu_tilt_rad[index][axis], facts::kDegreePerRad);
+    }
+    text += fmt::format("  {}: {}\n", kSensorNames[index], pair_text(tilt_deg));
   }
   return text + fmt::format(
                     "trunk_com_offset_m: {}\nforce_cell_gains:  # front left, front right, rear left, rear "

@@ -10,6 +10,7 @@
 
 #include "gaitway/facts/facts.hpp"
 #include "gaitway/urdf/robot_model.hpp"
+#include "tools/calibrate/imu_errors.hpp"
 
 namespace gaitway::calibration {
 
@@ -21,6 +22,7 @@ struct RobotDeviations {
   Eigen::Vector3d trunk_com_offset_m = Eigen::Vector3d::Zero();  // from the description's, in the trunk
   std::vector<double> mass_factor;                               // of each link
   std::array<std::array<double, kCells>, 2> cell_gain{};         // [Side]: reading over force
+  ImuErrors imu;
 };
 
 [[nodiscard]] inline RobotDeviations no_deviations(const urdf::RobotModel& robot) {
@@ -45,6 +47,7 @@ struct ManufacturingDeviations {
   Eigen::Vector3d trunk_com_m{0.006, 0.004, 0.006};
   double link_mass = 0.05;  // share
   double cell_gain = 0.03;  // share
+  ImuDeviations imu;
 };
 
 // How far a standing pose may be from soles that are flat on one plane: standard deviations, where nothing

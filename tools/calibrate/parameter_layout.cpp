@@ -1,5 +1,5 @@
-// Order: joint zeros, trunk CoM, cell gains, link masses, floor (lean, compliance), placements, lasting
-// errors of the angles if there are any.
+// Order: joint zeros, trunk CoM, cell gains, link masses, IMU, the floor's lean, each sole's compliance,
+// placements, lasting errors of the angles if there are any.
 #include "tools/calibrate/parameter_layout.hpp"
 
 #include <utility>
@@ -36,6 +36,7 @@ RobotDeviations ParameterLayout::robot(const Eigen::VectorXd& parameters) const 
   for (Eigen::Index link = 0; link < links_; ++link) {
     robot.mass_factor.push_back(1.0 + deviations_.link_mass * parameters[first_link() + link]);
   }
+  robot.imu = imu_errors(deviations_.imu, parameters.segment<kImuUnknowns>(first_imu()));
   return robot;
 }
 
@@ -51,8 +52,12 @@ RobotDeviations ParameterLayout::standing_robot(const Eigen::VectorXd& parameter
 Ground ParameterLayout::ground(const Eigen::VectorXd& parameters, int index) const {
   Ground ground;
   ground.floor_tilt_rad = standing_.floor_tilt_rad * parameters.segment<2>(floor());
-  ground.sole_compliance_m_per_N = standing_.sole_compliance_m_per_N +
-                                   standing_.sole_compliance_deviation_m_per_N * parameters[floor() + 2];
+  for (std::size_t side = 0; side < 2; ++side) {
+    ground.sole_compliance_m_per_N[side] =
+        standing_.sole_compliance_m_per_N +
+        standing_.sole_compliance_deviation_m_per_N *
+            parameters[first_compliance() + static_cast<Eigen::Index>(side)];
+  }
   if (index >= 0) {
     const Eigen::Vector3d wide(kPlacementDeviation_m, kPlacementDeviation_m, kPlacementDeviation_rad);
     ground.placement = placements_[static_cast<std::size_t>(index)] +

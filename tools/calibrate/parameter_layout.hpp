@@ -39,8 +39,10 @@ class ParameterLayout {
   [[nodiscard]] Eigen::Index first_link() const noexcept {
     return first_cell() + 2 * static_cast<Eigen::Index>(kCells);
   }
-  [[nodiscard]] Eigen::Index floor() const noexcept { return first_link() + links_; }
-  [[nodiscard]] Eigen::Index first_placement() const noexcept { return floor() + 3; }
+  [[nodiscard]] Eigen::Index first_imu() const noexcept { return first_link() + links_; }
+  [[nodiscard]] Eigen::Index floor() const noexcept { return first_imu() + kImuUnknowns; }
+  [[nodiscard]] Eigen::Index first_compliance() const noexcept { return floor() + 2; }
+  [[nodiscard]] Eigen::Index first_placement() const noexcept { return first_compliance() + 2; }
   [[nodiscard]] Eigen::Index first_lasting() const noexcept {
     return first_placement() + 3 * placement_count();
   }

@@ -15,6 +15,7 @@ struct Posture {
   Eigen::Isometry3d between;        // right sole in the left sole's frame
   Eigen::Matrix3d trunk_over_sole;  // trunk's axes in the left sole's
   Eigen::Vector2d com_m;            // over the middle of the soles, in the left sole's axes
+  Eigen::Vector2d tilt_said_rad;    // by the IMU, while the left sole is level
 };
 
 Posture posture(const urdf::RobotModel& robot, const RobotDeviations& deviations) {
@@ -37,8 +38,13 @@ Posture posture(const urdf::RobotModel& robot, const RobotDeviations& deviations
     mass_kg += own_kg;
   }
   const Eigen::Vector3d middle = 0.5 * (left.translation() + right.translation());
-  return {left.inverse() * right, left.linear().transpose() * kinematics.link_rotation(robot.imu.link),
-          (left.linear().transpose() * (moment / mass_kg - middle)).head<2>()};
+  const Eigen::Matrix3d trunk_over_sole =
+      left.linear().transpose() * kinematics.link_rotation(robot.imu.link);
+  const ImuSensor sensor =
+      robot.carries(urdf::SensorKind::inclination) ? ImuSensor::inclinometer : ImuSensor::accelerometer;
+  return {left.inverse() * right, trunk_over_sole,
+          (left.linear().transpose() * (moment / mass_kg - middle)).head<2>(),
+          tilt_said(sensor, robot.imu, deviations.imu, trunk_over_sole.row(2))};
 }
 
 }  // namespace
@@ -54,7 +60,9 @@ const std::array<NamedQuantity, kPostureErrors>& posture_quantities() {
        {"trunk rolled over the left sole", "rad"},
        {"trunk pitched over the left sole", "rad"},
        {"centre of mass ahead", "m"},
-       {"centre of mass to the left", "m"}}};
+       {"centre of mass to the left", "m"},
+       {"roll that the IMU says", "rad"},
+       {"pitch that the IMU says", "rad"}}};
   return names;
 }
 
@@ -66,8 +74,9 @@ std::vector<double> posture_errors(const urdf::RobotModel& robot, const RobotDev
       rotation_vector(real.between.linear() * described.between.linear().transpose());
   const Eigen::Vector3d lean = rotation_vector(real.trunk_over_sole * described.trunk_over_sole.transpose());
   const Eigen::Vector2d com = real.com_m - described.com_m;
-  return {moved.x(),  moved.y(), moved.z(), turned.x(), turned.y(),
-          turned.z(), lean.x(),  lean.y(),  com.x(),    com.y()};
+  const Eigen::Vector2d said = real.tilt_said_rad - described.tilt_said_rad;
+  return {moved.x(), moved.y(), moved.z(), turned.x(), turned.y(), turned.z(),
+          lean.x(),  lean.y(),  com.x(),   com.y(),    said.x(),   said.y()};
 }
 
 }  // namespace gaitway::calibration

@@ -28,9 +28,12 @@ PosePerformer::PosePerformer(const urdf::RobotModel& robot, simulator::Plant& pl
       measured_s_(measured_s),
       zero_rad_(robot.joints.size(), 0.0),
       relaxed_rad_(robot.joints.size(), 0.0) {
-  for (const urdf::Joint& joint : robot.joints) {
+  const std::vector<simulator::JointTruth> built = plant.body_truth().joints;
+  for (std::size_t j = 0; j < robot.joints.size(); ++j) {
+    const urdf::Joint& joint = robot.joints[j];
     servos_.emplace_back(
-        localcontroller::ServoGains{joint.servo.stiffness_Nm_per_rad, joint.servo.damping_Nms_per_rad,
+        localcontroller::ServoGains{built[j].servo_stiffness_factor * joint.servo.stiffness_Nm_per_rad,
+                                    built[j].servo_damping_factor * joint.servo.damping_Nms_per_rad,
                                     joint.motor.torque_limit_Nm, joint.motor.speed_limit_rad_per_s});
   }
   const urdf::ForwardKinematics home(robot);
@@ -47,7 +50,7 @@ void PosePerformer::take(const simulator::PlantSensors& sensors, StandingReading
   for (std::size_t j = 0; j < joint_rad.size(); ++j) {
     joint_rad[j] = sensors.encoder_count[j] * robot_.joints[j].encoder_count_rad;
   }
-  reading.take(joint_rad, robot_.imu.in_link(sensors.acceleration_m_per_s2),
+  reading.take(joint_rad, robot_.imu.specific_force_in_link(sensors.acceleration_m_per_s2),
                robot_.imu.tilt_in_link(sensors.inclination_rad), sensors.force_N);
 }
 
@@ -159,12 +162,28 @@ simulator::PlantOptions plant_options(const SimulatedCalibrationOptions& options
   return result;
 }
 
+ImuErrors imu_truth_of(const urdf::RobotModel& robot, const simulator::ImuTruth& imu) {
+  const Eigen::AngleAxisd mounting(imu.mounting);
+  ImuErrors errors{.mounting_rad = mounting.angle() * mounting.axis(),
+                   .accelerometer_sensitivity = imu.accelerometer_sensitivity,
+                   .accelerometer_zero_m_per_s2 = imu.accelerometer_zero_m_per_s2};
+  if (robot.imu.inclinometer == urdf::Inclinometer::pendulum) {
+    errors.inclinometer_zero_rad = imu.inclinometer_zero_rad;
+    errors.inclinometer_cross_axis = imu.inclinometer_cross_axis;
+  } else {  // a module of its own, which sits as it should
+    errors.inclinometer_zero_rad =
+        -tilt_said(ImuSensor::inclinometer, robot.imu, errors, Eigen::Vector3d::UnitZ());
+  }
+  return errors;
+}
+
 RobotDeviations truth_of(const urdf::RobotModel& robot, const simulator::Plant& plant) {
   const simulator::BodyTruth body = plant.body_truth();
   RobotDeviations truth{.zero_rad = body.encoder_zero_rad,
                         .trunk_com_offset_m = body.trunk_com_offset_m,
                         .mass_factor = {},
-                        .cell_gain = body.cell_gain};
+                        .cell_gain = body.cell_gain,
+                        .imu = imu_truth_of(robot, body.imu)};
   for (std::size_t link = 0; link < robot.links.size(); ++link) {
     truth.mass_factor.push_back(body.link_mass_kg[link] / robot.links[link].mass_kg);
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/geometry/tilt.hpp"
 
 namespace gaitway::calibration {
 namespace {
@@ -11,11 +12,6 @@ namespace {
 using facts::kGravity_m_per_s2;
 constexpr double kNoiseStep = 1e-3;  // in standard deviations
 constexpr std::array<double, kCells> kWarp{1.0, -1.0, -1.0, 1.0};
-
-// Roll and pitch of a frame in which `up` points against gravity.
-Eigen::Vector2d tilt_of(const Eigen::Vector3d& up) {
-  return {std::atan2(up.y(), up.z()), std::atan2(-up.x(), std::hypot(up.y(), up.z()))};
-}
 
 }  // namespace
 
@@ -75,7 +71,7 @@ Eigen::VectorXd StandingModel::residuals(const RobotDeviations& robot, const Gro
   Noise noise(noise_values);
   filled_ = 0;
   const Stance at = stance(robot, ground, noise);
-  add_trunk(at, noise);
+  add_trunk(robot, at, noise);
   if (both_stand()) add_feet(at, ground, noise);
   add_forces(robot, at, noise);
   return residuals_;
@@ -113,7 +109,8 @@ void StandingModel::press_sole(const RobotDeviations& robot, const Ground& groun
     force_N += cell_N;
     moment_Nm += cell_N * (foot.cell_m[cell] - foot.centre_m);
   }
-  const double compliance = ground.sole_compliance_m_per_N * (1.0 + noise.next(deviations_.sole_unevenness));
+  const double compliance =
+      ground.sole_compliance_m_per_N[side] * (1.0 + noise.next(deviations_.sole_unevenness));
   const Eigen::Vector2d lean =
       compliance * moment_Nm.cwiseQuotient((foot.size_m / 2.0).cwiseAbs2());  // downwards ahead, to the left
   const double tilt_rad = on_edge_[side] ? deviations_.edge_tilt_rad : deviations_.sole_tilt_rad;
@@ -122,24 +119,25 @@ void StandingModel::press_sole(const RobotDeviations& robot, const Ground& groun
   at.sink_m[side] = compliance * force_N;
 }
 
-void StandingModel::add_trunk(const Stance& stance, Noise& noise) {
+void StandingModel::add_trunk(const RobotDeviations& robot, const Stance& stance, Noise& noise) {
   const Eigen::Matrix3d trunk = kinematics_.link_rotation(robot_.imu.link);  // in the base frame
-  const Eigen::Vector2d predicted = tilt_of(trunk.transpose() * stance.up);
+  const Eigen::Vector3d up = trunk.transpose() * stance.up;
   Eigen::Vector3d force = measurement_.specific_force_m_per_s2;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     force[axis] += noise.next(measurement_.specific_force_deviation_m_per_s2[axis]);
   }
-  const Eigen::Vector2d by_force = tilt_of(force) - predicted;
+  const Eigen::Vector2d by_force =
+      geometry::tilt_at_rest(force) - tilt_said(ImuSensor::accelerometer, robot_.imu, robot.imu, up);
   add(by_force.x());
   add(by_force.y());
   if (!measurement_.inclination_rad) return;
+  const Eigen::Vector2d predicted = tilt_said(ImuSensor::inclinometer, robot_.imu, robot.imu, up);
   for (Eigen::Index axis = 0; axis < 2; ++axis) {
     add((*measurement_.inclination_rad)[axis] + noise.next(measurement_.inclination_deviation_rad[axis]) -
         predicted[axis]);
   }
 }
 
-// Both soles flat on one plane, and where they were.
 void StandingModel::add_feet(const Stance& stance, const Ground& ground, Noise& noise) {
   const Eigen::Vector3d across = stance.sole[0].linear().transpose() * (stance.normal[1] - stance.normal[0]);
   add(across.x());

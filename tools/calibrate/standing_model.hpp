@@ -16,7 +16,7 @@ struct Ground {
   Eigen::Vector3d placement = Eigen::Vector3d::Zero();  // x, y in m, yaw in rad, in the left sole's frame
   // Of its normal: towards x and y of the left sole.
   Eigen::Vector2d floor_tilt_rad = Eigen::Vector2d::Zero();
-  double sole_compliance_m_per_N = 0.0;
+  std::array<double, 2> sole_compliance_m_per_N{};  // [Side]
 };
 
 // One pose as it would be without errors of a single measurement: each entry of `noise`, in its own standard
@@ -53,7 +53,7 @@ class StandingModel {
   [[nodiscard]] Stance stance(const RobotDeviations& robot, const Ground& ground, Noise& noise);
   void press_sole(const RobotDeviations& robot, const Ground& ground, std::size_t side, Noise& noise,
                   Stance& at) const;
-  void add_trunk(const Stance& stance, Noise& noise);
+  void add_trunk(const RobotDeviations& robot, const Stance& stance, Noise& noise);
   void add_feet(const Stance& stance, const Ground& ground, Noise& noise);
   void add_forces(const RobotDeviations& robot, const Stance& stance, Noise& noise);
   [[nodiscard]] Eigen::Vector3d com_m(const RobotDeviations& robot, double mass_kg) const;

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/geometry/tilt.hpp"
 #include "gaitway/motion/motion.hpp"
 #include "gaitway/motion/motion_planner.hpp"
 #include "gaitway/simulator/cosimulation.hpp"
@@ -16,9 +17,10 @@
 namespace gaitway::calibration {
 namespace {
 
-// Of a standing robot: RMS over the legs' joints; of the feet's loads; of the trunk against the vertical.
+// Of a standing robot: RMS over the legs' joints; of the feet's loads; of the trunk against the vertical; of
+// the pelvis by what inclinometer and joints say, against how it stands.
 struct Errors {
-  double joint_rad = 0.0, force_N = 0.0, tilt_rad = 0.0;
+  double joint_rad = 0.0, force_N = 0.0, tilt_rad = 0.0, told_tilt_rad = 0.0;
 };
 
 // The balance feedback takes a lean out whether the robot knows its joints or not: what is left would say
@@ -48,6 +50,7 @@ class CalibratedRobot : public ::testing::TestWithParam<std::uint64_t> {
     simulator::Cosimulation run(robot, options);
     for (int i = 0; i < 1500; ++i) run.advance_millisecond();
     auto joint_reader = run.client().read<JointStates>("joint_states");
+    auto imu_reader = run.client().read<Imu>("imu");
     auto force_reader = run.client().read<FootForces>("foot_forces");
     JointStates joints{};
     joint_reader.read(joints);
@@ -62,6 +65,9 @@ class CalibratedRobot : public ::testing::TestWithParam<std::uint64_t> {
     // Cells' noise is averaged away.
     constexpr int kSlots = 50;
     std::array<double, 2> off_N{};
+    urdf::ForwardKinematics kinematics(robot);
+    kinematics.compute({joints.position, robot.joints.size()});
+    Eigen::Vector3d told_up = Eigen::Vector3d::Zero(), up = Eigen::Vector3d::Zero();  // in the pelvis
     for (int slot = 0; slot < kSlots; ++slot) {
       for (int i = 0; i < 10; ++i) run.advance_millisecond();
       FootForces forces{};
@@ -71,9 +77,15 @@ class CalibratedRobot : public ::testing::TestWithParam<std::uint64_t> {
         for (const double force : forces.force[side]) load_N += force;
         off_N[side] += (load_N - run.plant().ground_contact().normal_force_N[side]) / kSlots;
       }
+      Imu imu{};
+      imu_reader.read(imu);
+      told_up += kinematics.link_rotation(robot.imu.link) *
+                 geometry::up_at_tilt(Eigen::Map<const Eigen::Vector2d>(imu.inclination));
+      up += run.plant().truth().base.linear().row(2);
       errors.tilt_rad += run.plant().truth().trunk_tilt_rad / kSlots;
     }
     errors.force_N = std::hypot(off_N[0], off_N[1]);
+    errors.told_tilt_rad = std::acos(std::min(1.0, told_up.normalized().dot(up.normalized())));
     return errors;
   }
 
@@ -95,6 +107,8 @@ TEST_P(CalibratedRobot, KnowsItsJointsAndStandsUpright) {
   EXPECT_LT(after.joint_rad, 0.08 * facts::kRadPerDegree);
   EXPECT_LT(after.tilt_rad, 0.5 * before.tilt_rad);
   EXPECT_LT(after.force_N, before.force_N);
+  EXPECT_LT(after.told_tilt_rad, 0.1 * facts::kRadPerDegree);
+  EXPECT_LT(after.told_tilt_rad, 0.3 * before.told_tilt_rad);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, CalibratedRobot, ::testing::Values(1U, 2U));

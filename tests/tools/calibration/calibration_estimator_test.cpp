@@ -75,6 +75,44 @@ TEST_F(CalibrationEstimator, says_what_the_poses_cannot_tell) {
   EXPECT_THAT(calibration_text(robot_, simulated.calibration, 0), testing::Not(HasSubstr("left_elbow")));
 }
 
+// 1.2 degrees to the left, and an accelerometer that says 0.3 degrees more.
+TEST_F(CalibrationEstimator, learns_how_the_imu_sits_and_not_from_it_how_joints_stand) {
+  std::mt19937_64 random(11);
+  CalibrationSettings settings;
+  settings.standing.sole_compliance_m_per_N = 0.0;
+  RobotDeviations truth = stances_.draw(random, settings.manufacturing);
+  truth.imu = {};
+  truth.imu.mounting_rad.x() = -1.2 * facts::kRadPerDegree;
+  truth.imu.accelerometer_zero_m_per_s2.y() = 0.3 * facts::kRadPerDegree * facts::kGravity_m_per_s2;
+  const Calibration found = calibrate(robot_, stances_.measure(truth, settings, random), settings);
+  EXPECT_LT(found.misfit, 1.3);
+  const auto roll_deg = [&found](ImuSensor sensor) {
+    return facts::kDegreePerRad * found.imu_tilt_rad[static_cast<std::size_t>(sensor)][0].value;
+  };
+  EXPECT_NEAR(roll_deg(ImuSensor::accelerometer), 1.5, 0.1);
+  EXPECT_NEAR(roll_deg(ImuSensor::inclinometer), 1.2, 0.1);
+  EXPECT_NEAR(roll_deg(ImuSensor::gyro), 1.2, 0.5) << "by what the other two say";
+  for (const char* const joint : {"left_hip_roll", "right_ankle_roll", "left_ankle_pitch"}) {
+    const auto j = static_cast<std::size_t>(robot_.joint_index(joint));
+    EXPECT_NEAR(found.zero_rad[j].value, truth.zero_rad[j], 0.12 * facts::kRadPerDegree) << joint;
+  }
+}
+
+// The pelvis leans and the waist stands still in all poses.
+TEST_F(CalibrationEstimator, tells_the_sum_of_waist_and_imu_and_keeps_both) {
+  const SimulatedCalibration simulated = simulate(6);
+  const auto waist = static_cast<std::size_t>(robot_.joint_index("waist_pitch"));
+  const Estimate& zero = simulated.calibration.zero_rad[waist];
+  EXPECT_LT(zero.learned(), kToldShare);
+  EXPECT_GT(zero.learned(), kHeardShare);
+  const PostureError& pitch = simulated.calibration.posture.back();
+  EXPECT_EQ(pitch.name, "pitch that the IMU says");
+  EXPECT_GT(pitch.estimate.learned(), 0.99);
+  EXPECT_THAT(report_text(robot_, simulated.calibration, nullptr),
+              testing::ContainsRegex("waist_pitch[^\n]*the poses cannot tell"));
+  EXPECT_THAT(calibration_text(robot_, simulated.calibration, 0), HasSubstr("waist_pitch"));
+}
+
 TEST_F(CalibrationEstimator, one_pose_alone_tells_sums_and_not_single_joints) {
   SimulatedCalibration simulated = simulate(7);
   simulated.measurements.resize(1);

@@ -22,6 +22,7 @@ class MeasurementFileTest : public ::testing::Test {
     std::mt19937_64 random(2);
     SyntheticStances stances(robot_, motion::read_motion(GAITWAY_POSES, robot_));
     measured_ = {Weighing{6.812, 0.01}, stances.measure(stances.draw(random, {}), {}, random)};
+    measured_.poses[0].inclination_rad.reset();
     measured_.poses[1].placement = 3;
     measured_.poses[1].inclination_rad = Eigen::Vector2d(0.01, -0.02);
     measured_.poses[1].inclination_deviation_rad = {0.001, 0.002};

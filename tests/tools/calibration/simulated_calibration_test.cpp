@@ -13,13 +13,24 @@ namespace {
 
 constexpr bool kMany = GAITWAY_CALIBRATED_ROBOTS >= 20;  // so many that their RMS can be held to be near 1
 
-class SimulatedCalibrationTest : public ::testing::Test {
+struct Parts {
+  const char* name;
+  double deviation;
+  urdf::Inclinometer inclinometer;
+};
+
+class SimulatedCalibrationTest : public ::testing::TestWithParam<Parts> {
  protected:
-  const urdf::RobotModel robot_ = urdf::load_robot(GAITWAY_ROBOT);
+  SimulatedCalibrationTest() : robot_(urdf::load_robot(GAITWAY_ROBOT)) {
+    robot_.parts_deviation = GetParam().deviation;
+    robot_.imu.inclinometer = GetParam().inclinometer;
+  }
+
+  urdf::RobotModel robot_;
   const motion::Motion motion_ = motion::read_motion(GAITWAY_POSES, robot_);
 };
 
-TEST_F(SimulatedCalibrationTest, finds_most_of_what_robots_were_made_with) {
+TEST_P(SimulatedCalibrationTest, finds_most_of_what_robots_were_made_with) {
   const motion::MotionPlan poses = motion::plan_motion(robot_, motion_, {}).plan;
   CalibrationStatistics statistics;
   for (std::uint64_t seed = 1; seed <= GAITWAY_CALIBRATED_ROBOTS; ++seed) {
@@ -40,7 +51,7 @@ TEST_F(SimulatedCalibrationTest, finds_most_of_what_robots_were_made_with) {
   }
 }
 
-TEST_F(SimulatedCalibrationTest, says_in_which_pose_a_robot_falls) {
+TEST_P(SimulatedCalibrationTest, says_in_which_pose_a_robot_falls) {
   // Leans so far that no robot stands: the plan is shifted by what no plan would allow.
   motion::MotionPlan poses = motion::plan_motion(robot_, motion_, {}).plan;
   const auto ankle = static_cast<std::size_t>(robot_.joint_index("left_ankle_pitch"));
@@ -56,6 +67,13 @@ TEST_F(SimulatedCalibrationTest, says_in_which_pose_a_robot_falls) {
     EXPECT_NE(std::string(error.what()).find("'home'"), std::string::npos) << error.what();
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Parts, SimulatedCalibrationTest,
+                         ::testing::Values(Parts{"as_described", 0.0, urdf::Inclinometer::fused},
+                                           Parts{"as_real_ones_are", 1.0, urdf::Inclinometer::pendulum}),
+                         [](const ::testing::TestParamInfo<Parts>& tested) {
+                           return std::string(tested.param.name);
+                         });
 
 }  // namespace
 }  // namespace gaitway::calibration

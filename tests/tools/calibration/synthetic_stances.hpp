@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gaitway/facts/facts.hpp"
+#include "gaitway/geometry/tilt.hpp"
 #include "gaitway/motion/motion.hpp"
 #include "gaitway/motion/motion_path.hpp"
 #include "gaitway/motion/stance_map.hpp"
@@ -33,6 +34,9 @@ class SyntheticStances {
     for (auto& foot : drawn.cell_gain) {
       for (double& gain : foot) gain += sigma.cell_gain * normal(random);
     }
+    Eigen::Vector<double, kImuUnknowns> imu;
+    for (double& unknown : imu) unknown = normal(random);
+    drawn.imu = imu_errors(sigma.imu, imu);
     return drawn;
   }
 
@@ -72,14 +76,22 @@ class SyntheticStances {
       measured.joint_rad.push_back(joint_rad[static_cast<Eigen::Index>(j)] + truth.zero_rad[j] +
                                    sigma.joint_rad * normal(random));
     }
-    const Eigen::Matrix3d imu =
-        base.linear() * kinematics.link_rotation(robot_.imu.link) * robot_.imu.pose.linear();
-    const double force_noise = kGravity_m_per_s2 * kTiltDeviation_rad;
-    measured.specific_force_m_per_s2 = kGravity_m_per_s2 * imu.row(2).transpose();
-    measured.specific_force_deviation_m_per_s2.setConstant(force_noise);
-    for (double& value : measured.specific_force_m_per_s2) value += force_noise * normal(random);
+    feel_gravity((base.linear() * kinematics.link_rotation(robot_.imu.link)).row(2), truth, random, measured);
     balance(base, kinematics, truth, sigma, random, measured);
     return measured;
+  }
+
+  void feel_gravity(const Eigen::Vector3d& up_in_trunk, const RobotDeviations& truth, std::mt19937_64& random,
+                    StandingMeasurement& measured) const {
+    const double force_noise = kGravity_m_per_s2 * kTiltDeviation_rad;
+    measured.specific_force_m_per_s2 =
+        kGravity_m_per_s2 *
+        geometry::up_at_tilt(tilt_said(ImuSensor::accelerometer, robot_.imu, truth.imu, up_in_trunk));
+    measured.specific_force_deviation_m_per_s2.setConstant(force_noise);
+    for (double& value : measured.specific_force_m_per_s2) value += force_noise * normal(random);
+    measured.inclination_rad = tilt_said(ImuSensor::inclinometer, robot_.imu, truth.imu, up_in_trunk);
+    measured.inclination_deviation_rad.setConstant(kTiltDeviation_rad);
+    for (double& value : *measured.inclination_rad) value += kTiltDeviation_rad * normal(random);
   }
 
   // The centre of pressure is below the CoM; the feet share the load by where it lies between them.

@@ -14,6 +14,12 @@ namespace gaitway::geometry {
   return {std::atan2(f.y(), f.z()), std::atan2(-f.x(), std::hypot(f.y(), f.z()))};
 }
 
+// Against gravity, in the axes of a body with this roll and pitch.
+[[nodiscard]] inline Eigen::Vector3d up_at_tilt(const Eigen::Vector2d& roll_pitch) noexcept {
+  const double roll = roll_pitch.x(), pitch = roll_pitch.y();
+  return {-std::sin(pitch), std::sin(roll) * std::cos(pitch), std::cos(roll) * std::cos(pitch)};
+}
+
 // How fast roll, pitch and yaw change with an angular velocity in the body's own axes. Near a pitch of a
 // quarter turn, where yaw means nothing, no faster than at 84 degrees.
 [[nodiscard]] inline Eigen::Vector3d attitude_rate(const Eigen::Vector3d& roll_pitch_yaw,

@@ -20,6 +20,11 @@ struct Calibrated {
   std::optional<std::array<double, count>> deviation = {};
 };
 
+// Roll and pitch that each sensor of an IMU tells along the link's axes while the link stands upright.
+struct ImuTilts {
+  std::optional<Calibrated<2>> gyro_rad, accelerometer_rad, inclinometer_rad;
+};
+
 struct Calibration {
   static constexpr std::size_t kCells = 4;
 
@@ -28,6 +33,7 @@ struct Calibration {
   std::optional<Calibrated<3>> trunk_com_offset_m;
   std::optional<std::array<Calibrated<kCells>, 2>>
       cell_gain;  // [Side], front left, front right, rear left, rear right
+  ImuTilts imu_tilt;
 };
 
 // <directory>/calibration.yaml of the robot's folder; nothing: there is none. Throws RobotError, which names

@@ -150,11 +150,22 @@ enum class Inclinometer : std::uint8_t { fused, pendulum };
 struct Imu {
   int link = 0;
   Inclinometer inclinometer = Inclinometer::fused;         // if it carries one
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  // sensor frame in the link
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  // sensor frame in the link, as described
 
-  // What the sensor feels along its own axes, along the link's; roll and pitch against gravity likewise.
-  // Exactly the same where the axes are.
-  [[nodiscard]] Eigen::Vector3d in_link(const Eigen::Vector3d& along_own_axes) const noexcept;
+  // From the calibration: what each sensor says along the link's axes is turned by this much, so that a trunk
+  // that stands upright is told to.
+  struct Levelling {
+    Eigen::Matrix3d gyro = Eigen::Matrix3d::Identity();
+    Eigen::Matrix3d accelerometer = Eigen::Matrix3d::Identity();
+    Eigen::Matrix3d inclinometer = Eigen::Matrix3d::Identity();
+  };
+  Levelling levelling = {};
+
+  // What gyro and accelerometer feel along the sensor's own axes, along the link's; roll and pitch against
+  // gravity likewise. Exactly the same where the axes are.
+  [[nodiscard]] Eigen::Vector3d angular_velocity_in_link(
+      const Eigen::Vector3d& along_own_axes) const noexcept;
+  [[nodiscard]] Eigen::Vector3d specific_force_in_link(const Eigen::Vector3d& along_own_axes) const noexcept;
   [[nodiscard]] Eigen::Vector2d tilt_in_link(const Eigen::Vector2d& own_tilt_rad) const noexcept;
 };
 
