@@ -37,8 +37,15 @@ class DrawnBodyTest : public WorldTest {
 };
 
 // As the contacts have it, not the shapes.
-TEST_F(DrawnBodyTest, SolesGiveWayInTheirOwnTimeOnAPlainFloor) {
-  Plant plant(model_, {.seed = 4, .mismatch = 1.0, .sensor_noise = false});
+class DrawnSoles : public DrawnBodyTest, public ::testing::WithParamInterface<bool> {};
+
+TEST_P(DrawnSoles, GiveWayInTheirOwnTime) {
+  const bool in_a_world = GetParam();
+  PlantOptions drawn = in_a_world ? options("start: {position_m: [0, 0]}\n") : PlantOptions{};
+  drawn.seed = 4;
+  drawn.mismatch = 1.0;
+  drawn.sensor_noise = false;
+  Plant plant(model_, drawn);
   HomeServo(model_).hold(plant, 20);
   const Plant::Implementation& self = plant.implementation();
   const double ground_time_s = self.model->geom_solref[0];
@@ -57,6 +64,9 @@ TEST_F(DrawnBodyTest, SolesGiveWayInTheirOwnTimeOnAPlainFloor) {
   EXPECT_GT(contacts[0], 0);
   EXPECT_GT(contacts[1], 0);
 }
+
+INSTANTIATE_TEST_SUITE_P(On, DrawnSoles, ::testing::Values(false, true),
+                         [](const auto& tested) { return tested.param ? "AWorldsFloor" : "APlainFloor"; });
 
 TEST_F(DrawnBodyTest, IsInThePhysicsAndStaysWhenSomethingIsPutThere) {
   PlantOptions drawn = options("start: {position_m: [0, 0]}\n");
