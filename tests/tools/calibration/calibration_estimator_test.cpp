@@ -82,7 +82,7 @@ TEST_F(CalibrationEstimator, learns_how_the_imu_sits_and_not_from_it_how_joints_
   settings.standing.sole_compliance_m_per_N = 0.0;
   RobotDeviations truth = stances_.draw(random, settings.manufacturing);
   truth.imu = {};
-  truth.imu.mounting_rad.x() = -1.2 * facts::kRadPerDegree;
+  truth.imu.mounting_rad.x() = 1.2 * facts::kRadPerDegree;
   truth.imu.accelerometer_zero_m_per_s2.y() = 0.3 * facts::kRadPerDegree * facts::kGravity_m_per_s2;
   const Calibration found = calibrate(robot_, stances_.measure(truth, settings, random), settings);
   EXPECT_LT(found.misfit, 1.3);
@@ -121,11 +121,13 @@ TEST_F(CalibrationEstimator, one_pose_alone_tells_sums_and_not_single_joints) {
   EXPECT_GT(home.zero_rad[knee].deviation, 3.0 * simulated.calibration.zero_rad[knee].deviation);
   EXPECT_LT(home.trunk_com_m[2].learned(), kToldShare);  // its height shows when the trunk leans
   EXPECT_GT(simulated.calibration.trunk_com_m[2].learned(), kToldShare);
-  const auto pitch = std::find_if(home.posture.begin(), home.posture.end(), [](const PostureError& error) {
-    return error.name == "trunk pitched over the left sole";
-  });
-  ASSERT_NE(pitch, home.posture.end());
-  EXPECT_GT(pitch->estimate.learned(), 0.99);
+  const auto pitch_learned = [](const Calibration& calibration) {
+    const auto pitch =
+        std::ranges::find(calibration.posture, "trunk pitched over the left sole", &PostureError::name);
+    return pitch == calibration.posture.end() ? 0.0 : pitch->estimate.learned();
+  };
+  EXPECT_GT(pitch_learned(home), 0.7) << "the rest may be how the IMU is mounted";
+  EXPECT_GT(pitch_learned(simulated.calibration), pitch_learned(home));
 }
 
 TEST_F(CalibrationEstimator, an_exact_robot_has_no_deviations) {
