@@ -83,7 +83,8 @@ void FeedbackCollector::take_channel(const urdf::SensorChannel& channel, double 
       return;
     case Sensor::angular_velocity:
       sensed_.angular_velocity[channel.index] = value;
-      Eigen::Map<Eigen::Vector3d>(imu_.angular_velocity) = sensor_.angular_velocity_in_link(sensed_.angular_velocity);
+      Eigen::Map<Eigen::Vector3d>(imu_.angular_velocity) =
+          sensor_.angular_velocity_in_link(sensed_.angular_velocity);
       derive_tilt(channel);
       break;
     case Sensor::acceleration:
