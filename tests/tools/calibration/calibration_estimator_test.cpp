@@ -75,14 +75,14 @@ TEST_F(CalibrationEstimator, says_what_the_poses_cannot_tell) {
   EXPECT_THAT(calibration_text(robot_, simulated.calibration, 0), testing::Not(HasSubstr("left_elbow")));
 }
 
-// 1.2 degrees to the left, and an accelerometer that says 0.3 degrees more.
+// 1.2 degrees to the right, and an accelerometer that says 0.3 degrees more.
 TEST_F(CalibrationEstimator, learns_how_the_imu_sits_and_not_from_it_how_joints_stand) {
   std::mt19937_64 random(11);
   CalibrationSettings settings;
   settings.standing.sole_compliance_m_per_N = 0.0;
   RobotDeviations truth = stances_.draw(random, settings.manufacturing);
   truth.imu = {};
-  truth.imu.mounting_rad.x() = -1.2 * facts::kRadPerDegree;
+  truth.imu.mounting_rad.x() = 1.2 * facts::kRadPerDegree;
   truth.imu.accelerometer_zero_m_per_s2.y() = 0.3 * facts::kRadPerDegree * facts::kGravity_m_per_s2;
   const Calibration found = calibrate(robot_, stances_.measure(truth, settings, random), settings);
   EXPECT_LT(found.misfit, 1.3);
@@ -122,7 +122,7 @@ TEST_F(CalibrationEstimator, one_pose_alone_tells_sums_and_not_single_joints) {
   EXPECT_LT(home.trunk_com_m[2].learned(), kToldShare);  // its height shows when the trunk leans
   EXPECT_GT(simulated.calibration.trunk_com_m[2].learned(), kToldShare);
   const auto pitch = std::find_if(home.posture.begin(), home.posture.end(), [](const PostureError& error) {
-    return error.name == "trunk pitched over the left sole";
+    return error.name == "pitch that the IMU says";
   });
   ASSERT_NE(pitch, home.posture.end());
   EXPECT_GT(pitch->estimate.learned(), 0.99);
