@@ -64,9 +64,9 @@ struct StandingDeviations {
   double sole_unevenness = 0.05;                        // share by which one sole in one pose gives otherwise
   double sole_tilt_rad = 0.003 * facts::kRadPerDegree;  // of a sole against the floor, beyond that
   double sole_height_m = 0.00001;                       // of one sole against the other, beyond that
-  double creep_ahead_m = 0.0001;                        // of a foot from pose to pose
-  double creep_aside_m = 0.0002;                        // the same: legs press sideways against each other
-  double creep_rad = 0.08 * facts::kRadPerDegree;       // about the vertical
+  double creep_ahead_m = 0.0004;                        // of a foot from pose to pose
+  double creep_aside_m = 0.0008;                        // the same: legs press sideways against each other
+  double creep_rad = 0.3 * facts::kRadPerDegree;        // about the vertical
   double floor_tilt_rad = 0.0;                          // of the floor against the horizontal; 0: it is level
   double plate_unevenness = 0.0003;  // of a foot's force: springs of its cells are not quite equal
   // A sole whose centre of pressure is this near to its edge may stand on the edge.
