@@ -46,11 +46,15 @@ async function picture(robot, name) {
 }
 
 const pixels = (robot, condition) => pixelsOf(robot.page, eye, condition);
-// Where in the window a mark on the floor is seen.
+// Where in the window a mark on the floor is seen, once it is drawn and the camera rests.
 async function seen(robot, colour) {
-  const found = await pixels(robot, isColour[colour]);
-  assert.ok(found.count > 8, `the ${colour} mark is not seen: ${found.count} pixels`);
-  return found;
+  let found = await pixels(robot, isColour[colour]);
+  for (const end_ms = performance.now() + 10_000; performance.now() < end_ms; ) {
+    const before = found;
+    found = await pixels(robot, isColour[colour]);
+    if (found.count > 8 && Math.hypot(found.x - before.x, found.y - before.y) < 0.5) return found;
+  }
+  assert.fail(`the ${colour} mark is not seen, or does not rest: ${found.count} pixels at ${found.x} ${found.y}`);
 }
 async function clickOn(robot, { x, y }) {
   await robot.page.mouse.move(x, y);

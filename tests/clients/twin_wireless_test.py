@@ -37,7 +37,7 @@ def client(token_file, certificate):
     from simulator import Simulator
     from twin_client import SEND, Client
 
-    with Simulator("--robot", f"wss://{ADDRESS}:9090", "--robot-token-file", token_file, "--robot-ca", certificate) as simulator:
+    with Simulator("--robot", f"wss://{ADDRESS}:9090", "--robot-token-file", token_file, "--robot-ca", certificate, "--preflight-robots", "4") as simulator:
         here = Client(simulator.port, {"/simulation/twin": "gaitway_msgs/msg/TwinState"})
 
         def twin():

@@ -62,6 +62,13 @@ TEST(RunOutcome, OneRefusedBatchIsToldAndAllowed) {
   EXPECT_THAT(outcome.text, HasSubstr("refused batches: 1 of 250"));
 }
 
+TEST(RunOutcome, ARunThatIsStoppedAtOnceMayHaveTheBatchRefusedThatWasOnItsWay) {
+  constexpr double kStoppedAfter_s = 0.3;
+  EXPECT_EQ(outcome_of({}, {.handed_over = 3, .refused = 1}, kStoppedAfter_s).verdict, Verdict::done);
+  EXPECT_EQ(outcome_of({}, {.handed_over = 3, .refused = 2}, kStoppedAfter_s).verdict, Verdict::not_done);
+  EXPECT_EQ(outcome_of({}, {.handed_over = 0, .refused = 1}, kStoppedAfter_s).verdict, Verdict::not_done);
+}
+
 TEST(RunOutcome, AFallIsAFallWhateverElse) {
   RunMetrics metrics = walked(0.0, 3.0);
   metrics.fell = true;

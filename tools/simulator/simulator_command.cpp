@@ -40,6 +40,7 @@ struct SimulatorOptions {
   std::vector<std::string>
       robots;  // a folder with robot.urdf and robot.yaml, a real robot's address, or both
   std::filesystem::path robot_token_file, robot_ca_file;
+  int preflight_robots = 20;
   std::filesystem::path config = process::default_config_file().parent_path() / "serve.yaml";
   std::string profile;  // of the bus; empty: what the robot's network file says
   bool accept_unproven = false;
@@ -219,7 +220,8 @@ std::unique_ptr<TwinServer> twin_of(const SimulatorOptions& options, const TwinC
   return std::make_unique<TwinServer>(
       TwinOptions{.there = *choice.there,
                   .here = own_api(options.module),
-                  .flight_arguments = flight_arguments(*choice.there, robot.directory, options.config, world),
+                  .flight_arguments = flight_arguments(*choice.there, robot.directory, options.config, world,
+                                                       options.preflight_robots),
                   .out = options.out / "preflight"},
       robot, socket);
 }
@@ -294,6 +296,10 @@ void declare_program(const CommandLine& app) {
                  "File with the token that the real robot wants");
   command.option("--robot-ca", options.robot_ca_file,
                  "Whom to trust (PEM), where the real robot's certificate is its own");
+  command
+      .option("--preflight-robots", options.preflight_robots,
+              "How many simulated robots try what is to be sent to the real one: fewer are quicker, and show less")
+      .between(1, 1000);
   command.option(
       "--config", options.config,
       "Plug-ins of the main controller (YAML); a file, or the name of a shipped one. An api is added");

@@ -72,9 +72,10 @@ ApiAddress own_api(const ModuleOptions& module) {
 }
 
 std::vector<std::string> flight_arguments(const ApiAddress& there, const std::filesystem::path& robot,
-                                          const std::filesystem::path& config, const world::World& world) {
+                                          const std::filesystem::path& config, const world::World& world, int robots) {
   std::vector<std::string> words{"--from=" + there.url, "--robot=" + robot.string(),
-                                 "--config=" + config.string(), "--world=" + world.file.string()};
+                                 "--config=" + config.string(), "--world=" + world.file.string(),
+                                 fmt::format("--robots={}", robots)};
   if (world.random_seed) words.push_back(fmt::format("--world-seed={}", *world.random_seed));
   if (!there.token_file.empty()) words.push_back("--token-file=" + there.token_file.string());
   if (!there.ca_file.empty()) words.push_back("--ca=" + there.ca_file.string());

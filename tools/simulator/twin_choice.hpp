@@ -36,6 +36,6 @@ struct TwinChoice {
 [[nodiscard]] std::vector<std::string> flight_arguments(const ApiAddress& there,
                                                         const std::filesystem::path& robot,
                                                         const std::filesystem::path& config,
-                                                        const world::World& world);
+                                                        const world::World& world, int robots);
 
 }  // namespace gaitway::tools

@@ -23,7 +23,7 @@ export class SendForm {
   private readonly motion: HTMLSelectElement;
   private readonly goalShown = element("p", { id: "twin-goal" });
   private readonly settings = element("textarea", { id: "twin-settings", rows: 2, spellcheck: false, autocomplete: "off", autocapitalize: "off", placeholder: exampleSetting });
-  private readonly submit = element("button", { type: "submit", class: "primary send", id: "twin-send" }, "Try on 20 and send");
+  private readonly submit = element("button", { type: "submit", class: "primary send", id: "twin-send" }, "Try, then send");
   private readonly why = element("p", { class: "note", id: "twin-send-why", role: "status" });
   private readonly parts: Record<SendKind, HTMLElement>;
   private readonly choices = new Map<SendKind, HTMLButtonElement>();
@@ -66,7 +66,7 @@ export class SendForm {
     const goal = this.known.goal();
     setText(this.goalShown, goal ? `To ${goalText(goal)} of the map.` : "No goal is chosen: press Walk to, and click the floor in the picture.");
     this.submit.disabled = hindrance !== "";
-    setText(this.why, hindrance || "Nothing reaches the robot there unless all 20 simulated robots stay up.");
+    setText(this.why, hindrance || "Nothing reaches the robot there unless all simulated robots that try it stay up.");
   }
 
   private choose(kind: SendKind): void {
