@@ -21,7 +21,6 @@
 namespace gaitway::tools {
 namespace {
 
-constexpr int kTrials = 20;
 constexpr int kLowPriority = 5;        // nice
 constexpr double kAfterwards_s = 1.0;  // a flight begins with so long a stand
 constexpr std::size_t kLongestLine = 4000;
@@ -89,7 +88,6 @@ void FlightProcess::start(const FlightTask& task) {
     words.push_back(option + "=" + value);
   };
   words.push_back("--send");
-  add("--robots", std::to_string(kTrials));
   add("--out", out_.string());
   if (!task.walk.empty()) {
     add("--walk", list_of(task.walk));
