@@ -51,8 +51,9 @@ constexpr double kLeastShare = 0.5;          // of the commanded way
 constexpr double kLeastWay_m = 0.2;          // shorter ones tell nothing
 constexpr double kLeastTurn_rad = 0.3;       // 〃
 constexpr std::uint64_t kRefusedOneOf = 10;  // of so many batches one may be refused,
-constexpr std::uint64_t kRefusedByAStop = 1;  // and of any: the one that is on its way when somebody stops the robot
-constexpr double kBatchesWithin_s = 1.0;     // a shorter run may end before the first batch
+constexpr std::uint64_t kRefusedByAStop =
+    1;  // and of any: the one that is on its way when somebody stops the robot
+constexpr double kBatchesWithin_s = 1.0;  // a shorter run may end before the first batch
 
 void add(std::string& text, const std::string& part) {
   text += (text.empty() ? "" : ", ") + part;

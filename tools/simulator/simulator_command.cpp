@@ -298,7 +298,8 @@ void declare_program(const CommandLine& app) {
                  "Whom to trust (PEM), where the real robot's certificate is its own");
   command
       .option("--preflight-robots", options.preflight_robots,
-              "How many simulated robots try what is to be sent to the real one: fewer are quicker, and show less")
+              "How many simulated robots try what is to be sent to the real one: fewer are quicker, and show "
+              "less")
       .between(1, 1000);
   command.option(
       "--config", options.config,

@@ -72,7 +72,8 @@ ApiAddress own_api(const ModuleOptions& module) {
 }
 
 std::vector<std::string> flight_arguments(const ApiAddress& there, const std::filesystem::path& robot,
-                                          const std::filesystem::path& config, const world::World& world, int robots) {
+                                          const std::filesystem::path& config, const world::World& world,
+                                          int robots) {
   std::vector<std::string> words{"--from=" + there.url, "--robot=" + robot.string(),
                                  "--config=" + config.string(), "--world=" + world.file.string(),
                                  fmt::format("--robots={}", robots)};

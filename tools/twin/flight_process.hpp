@@ -29,7 +29,8 @@ class FlightProcess {
  public:
   enum class State : std::uint8_t { idle, trying, sending, done, not_passed, failed, stopped };
 
-  // `arguments`: of every flight (robot, address, world, how many try it); `out`: folder for verdict and picture.
+  // `arguments`: of every flight (robot, address, world, how many try it); `out`: folder for verdict and
+  // picture.
   FlightProcess(std::vector<std::string> arguments, std::filesystem::path out)
       : arguments_(std::move(arguments)), out_(std::move(out)) {}
   // Ends it, and so what it has the robot do.
