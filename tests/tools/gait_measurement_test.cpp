@@ -296,6 +296,15 @@ TEST_F(GaitMeasurementTest, fingerprint_follows_configuration_and_description) {
   EXPECT_NE(fingerprint_of(robot()), fingerprint_of(other));
 }
 
+TEST_F(GaitMeasurementTest, fingerprint_follows_what_the_robot_can_play) {
+  std::filesystem::copy(robot().model.directory, file("robot"), std::filesystem::copy_options::recursive);
+  TrialRobot other = robot();
+  other.model.directory = file("robot");
+  const std::uint64_t before = fingerprint_of(other);
+  std::ofstream(file("robot") / "motions" / "wave.motion") << "prepared";
+  EXPECT_NE(fingerprint_of(other), before);
+}
+
 TEST_F(GaitMeasurementTest, keeps_the_plugins_that_it_began_with) {
   TrialRobot pinned = robot();
   std::filesystem::create_directories(file("build"));
@@ -366,6 +375,15 @@ TEST_F(MeasureCommand, refuses_bad_input_before_anything_moves) {
   expect_refused("--rows straight,push_sideways", "no row 'push_sideways'");
   expect_refused("--config nowhere.yaml", "nowhere.yaml");
   expect_refused("--robot nowhere", "nowhere");
+}
+
+TEST_F(MeasureCommand, refuses_a_row_whose_robots_cannot_play_what_they_get_up_by) {
+  std::filesystem::copy(robot().model.directory, file("robot"), std::filesystem::copy_options::recursive);
+  const std::string robot = " --robot '" + file("robot").string() + "'";
+  expect_refused("--rows get_up_back" + robot,
+                 "row 'get_up_back': its robots get up by the motion 'get_up_back'");
+  EXPECT_THAT(text_of("complaint"),
+              HasSubstr("gaitway motion prepare get_up_back --robot " + file("robot").string()));
 }
 
 TEST_F(MeasureCommand, measures_a_row_writes_its_table_and_is_instant_the_second_time) {

@@ -21,6 +21,7 @@
 #include "tools/command_line.hpp"
 #include "tools/measure/gait_measurement.hpp"
 #include "tools/measure/measure_vision.hpp"
+#include "tools/measure/rise_motions.hpp"
 #include "tools/measure/trial_store.hpp"
 
 namespace gaitway::tools {
@@ -113,6 +114,7 @@ int measure_gait_table(const MeasureGaitOptions& options) {
       chosen_rows(gait_table({.step_time_s = step_time_of(plugins), .quick = options.quick}), options.rows,
                   options.except);
   TrialRobot robot = load(options);
+  require_rise_motions(rows, robot);
   prepare_output(options.out);
   pin_plugins(robot.plugins, robot.plugin_path, options.out / "plugins");
   TrialStore store(options.out / "trials.jsonl", fingerprint_of(robot));

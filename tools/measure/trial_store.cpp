@@ -12,6 +12,9 @@
 #include <stdexcept>
 #include <vector>
 
+#include "gaitway/process/installation.hpp"
+#include "gaitway/trajectory/motion_table.hpp"
+
 namespace gaitway::tools {
 namespace {
 
@@ -41,6 +44,9 @@ std::uint64_t fingerprint_of(const TrialRobot& robot) {
   hash.add_file(robot.model.directory / "robot.yaml");
   for (const std::filesystem::path& mesh : robot.model.mesh_files()) {
     hash.add_file(mesh);
+  }
+  for (const std::filesystem::path& folder : process::prepared_motion_directories(robot.model.directory)) {
+    for (const std::filesystem::path& motion : trajectory::motion_table_files(folder)) hash.add_file(motion);
   }
   hash.add_file(robot.plugins.file);
   for (const core::PluginEntry& plugin : robot.plugins.plugins) {
