@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "tools/measure/gait_measurement.hpp"
+#include "tools/measure/rise_motions.hpp"
 #include "tools/measure/trial_run.hpp"
 #include "tools/measure/trial_store.hpp"
 
@@ -377,13 +378,21 @@ TEST_F(MeasureCommand, refuses_bad_input_before_anything_moves) {
   expect_refused("--robot nowhere", "nowhere");
 }
 
-TEST_F(MeasureCommand, refuses_a_row_whose_robots_cannot_play_what_they_get_up_by) {
+TEST_F(MeasureCommand,
+       refuses_rows_whose_robots_cannot_play_what_they_get_up_by_and_leaves_out_those_that_nobody_named) {
   std::filesystem::copy(robot().model.directory, file("robot"), std::filesystem::copy_options::recursive);
-  const std::string robot = " --robot '" + file("robot").string() + "'";
-  expect_refused("--rows get_up_back" + robot,
-                 "row 'get_up_back': its robots get up by the motion 'get_up_back'");
-  EXPECT_THAT(text_of("complaint"),
-              HasSubstr("gaitway motion prepare get_up_back --robot " + file("robot").string()));
+  const std::string folder = file("robot").string();
+  expect_refused("--rows get_up_back --robot '" + folder + "'",
+                 "get_up_back: what the robot would get up by is not prepared");
+  EXPECT_THAT(text_of("complaint"), HasSubstr("gaitway motion prepare get_up_back --robot " + folder));
+
+  std::vector<GaitRow> rows = gait_table({.step_time_s = 0.4, .quick = true});
+  const std::size_t all = rows.size();
+  TrialRobot other = robot();
+  EXPECT_EQ(without_rise_motions(rows, other), "") << "prepared with the build";
+  other.model.directory = folder;
+  EXPECT_THAT(without_rise_motions(rows, other), HasSubstr("get_up_front, get_up_back: "));
+  EXPECT_EQ(rows.size(), all - 2);
 }
 
 TEST_F(MeasureCommand, measures_a_row_writes_its_table_and_is_instant_the_second_time) {

@@ -110,11 +110,14 @@ void write_results(const MeasureGaitOptions& options, const GaitReportHead& head
 int measure_gait_table(const MeasureGaitOptions& options) {
   const auto started = Clock::now();
   const core::Configuration plugins = core::read_configuration(options.config);
-  const std::vector<GaitRow> rows =
+  std::vector<GaitRow> rows =
       chosen_rows(gait_table({.step_time_s = step_time_of(plugins), .quick = options.quick}), options.rows,
                   options.except);
   TrialRobot robot = load(options);
-  require_rise_motions(rows, robot);
+  if (const std::string missing = without_rise_motions(rows, robot); !missing.empty()) {
+    if (!options.rows.empty()) throw std::invalid_argument(missing);
+    fmt::print(stderr, "gaitway measure gait: left out: {}\n", missing);
+  }
   prepare_output(options.out);
   pin_plugins(robot.plugins, robot.plugin_path, options.out / "plugins");
   TrialStore store(options.out / "trials.jsonl", fingerprint_of(robot));

@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <set>
-#include <stdexcept>
 #include <string>
 
 #include "gaitway/process/installation.hpp"
@@ -39,23 +39,25 @@ std::set<std::string> motions_of(const TrialRobot& robot) {
 
 }  // namespace
 
-void require_rise_motions(const std::vector<GaitRow>& rows, const TrialRobot& robot) {
+std::string without_rise_motions(std::vector<GaitRow>& rows, const TrialRobot& robot) {
   const std::set<std::string> known = motions_of(robot);
-  const std::filesystem::path& directory = robot.model.directory;
-  for (const GaitRow& row : rows) {
-    if (!row.trials) continue;
-    for (const Trial& trial : row.trials(1, row.floor)) {
-      if (!trial.rise || known.contains(trial.rise->motion)) continue;
-      const std::string& motion = trial.rise->motion;
-      throw std::invalid_argument(
-          fmt::format("row '{0}': its robots get up by the motion '{1}', which is not prepared for {2} as it "
-                      "is described now. "
-                      "Prepare it: gaitway motion prepare {1} --robot {2} --out {3} (or take it over from "
-                      "another robot: gaitway "
-                      "motion adapt {1} --robot {2}), or leave the row out: --except {0}",
-                      row.name, motion, directory.string(), process::motion_directory(directory).string()));
-    }
-  }
+  std::string names, example;
+  std::erase_if(rows, [&](const GaitRow& row) {
+    if (!row.trials) return false;
+    const std::vector<Trial> trials = row.trials(1, row.floor);
+    const auto unknown = std::ranges::find_if(
+        trials, [&](const Trial& trial) { return trial.rise && !known.contains(trial.rise->motion); });
+    if (unknown == trials.end()) return false;
+    names += (names.empty() ? "" : ", ") + row.name;
+    example = unknown->rise->motion;
+    return true;
+  });
+  if (names.empty()) return {};
+  const std::string directory = robot.model.directory.string();
+  return fmt::format(
+      "{}: what the robot would get up by is not prepared for {} as it is described now. Prepare it: gaitway "
+      "motion prepare {} --robot {} --out {}; or take it over from another robot: gaitway motion adapt",
+      names, directory, example, directory, process::motion_directory(robot.model.directory).string());
 }
 
 }  // namespace gaitway::tools

@@ -1,6 +1,7 @@
 // Motions that a measurement has robots play.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "tools/measure/gait_table.hpp"
@@ -8,8 +9,8 @@
 
 namespace gaitway::tools {
 
-// Throws std::invalid_argument that names the row, the motion and the remedy, when a row's robots get up by a
-// motion that was not prepared for this robot as it is now described: none of them would.
-void require_rise_motions(const std::vector<GaitRow>& rows, const TrialRobot& robot);
+// Takes out the rows whose robots get up by a motion that was not prepared for this robot as it is described
+// now: none of them would. Returns which rows, why, and the remedy; empty: none.
+std::string without_rise_motions(std::vector<GaitRow>& rows, const TrialRobot& robot);
 
 }  // namespace gaitway::tools
