@@ -31,10 +31,10 @@ test("loads, shows the robot, and draws it in software", async () => {
   const before_s = processorSeconds(browser);
   const pictures = (await drawn(before + 60)) - before;
   const each_ms = (1000 * (processorSeconds(browser) - before_s)) / pictures;
-  // 50 ms would be 20 a second with one processor. What is far above it is no slow or busy computer any more.
-  assert.ok(each_ms < 250, `a picture takes ${each_ms} ms of a processor`);
+  // 50 ms are 20 a second with one processor. On a busy computer the frames that are not drawn count, too, and one of 2 GHz takes 80 ms.
+  assert.ok(each_ms < 130, `a picture takes ${each_ms} ms of a processor`);
   assert.deepEqual(robot.errors, []);
-  assert.ok(first_ms < 10_000, `the first picture came after ${first_ms} ms`);
+  assert.ok(first_ms < 3000, `the first picture came after ${first_ms} ms`);
   console.log(`first picture after ${first_ms.toFixed(0)} ms; each takes ${each_ms.toFixed(0)} ms of a processor, drawn in software`);
   await robot.close();
 });

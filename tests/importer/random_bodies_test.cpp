@@ -38,7 +38,7 @@ namespace {
 #ifdef GAITWAY_SANITIZED
 constexpr int kUsual = 4;
 #else
-constexpr int kUsual = 6;
+constexpr int kUsual = 12;
 #endif
 constexpr int kFirst = 101;  // of the usual ones
 constexpr double kHalfSpeed = 0.5;

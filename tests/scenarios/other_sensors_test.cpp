@@ -61,7 +61,7 @@ TEST(RealParts, TiltIsKnownOnALongWalk) {
   RobotVariant variant;
   variant.build_of_real_parts();
   const urdf::RobotModel robot = urdf::load_robot(variant.folder());
-  for (int seed = 1; seed <= seeds(1); ++seed) {
+  for (int seed = 1; seed <= seeds(2); ++seed) {
     auto run = SimulatedRun::of_robot(static_cast<std::uint64_t>(seed), robot);
     run.apply(walk_at(2.0, 0.2));
     auto reader = run.cosimulation.client().read<Estimate>("estimate");
