@@ -34,7 +34,7 @@ test("loads, shows the robot, and draws it in software", async () => {
   // 50 ms are 20 a second with one processor. On a busy computer the frames that are not drawn count, too, and one of 2 GHz takes 80 ms.
   assert.ok(each_ms < 130, `a picture takes ${each_ms} ms of a processor`);
   assert.deepEqual(robot.errors, []);
-  assert.ok(first_ms < 3000, `the first picture came after ${first_ms} ms`);
+  assert.ok(first_ms < 5000, `the first picture came after ${first_ms} ms`);
   console.log(`first picture after ${first_ms.toFixed(0)} ms; each takes ${each_ms.toFixed(0)} ms of a processor, drawn in software`);
   await robot.close();
 });
