@@ -141,13 +141,15 @@ std::string BusConnection::news(bool is_off, std::int64_t now_ns) {
     return !line.empty() && was_off_ && !is_off ? line + fmt::format(" It was away for {:.1f} s", away_s)
                                                 : line;
   }
-  if (is_off == was_off_) {
+  const bool was_served = std::exchange(is_served_, client_->connected());
+  const bool has_gone_meanwhile = is_off && was_served && !is_served_;  // it had only stood still
+  if (is_off == was_off_ && !has_gone_meanwhile) {
     return {};
   }
   if (!is_off) {
     return fmt::format("the bus on {} is back after {:.1f} s", socket_.native(), away_s);
   }
-  return client_->connected()
+  return is_served_
              ? fmt::format("the bus on {} stands still: waiting for it. Is virtual_robot stopped?",
                            socket_.native())
              : fmt::format("the bus on {} has gone: waiting for it. Has virtual_robot ended?",

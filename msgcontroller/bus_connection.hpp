@@ -72,6 +72,7 @@ class BusConnection {
   can::SocketCanReporter reporter_;
   BusNews news_;
   bool was_off_ = false;
+  bool is_served_ = true;  // somebody has the socket, whether the bus runs or not
   std::int64_t off_since_ns_ = 0;
   std::uint64_t outages_ = 0;
   std::int64_t away_ns_ = 0;

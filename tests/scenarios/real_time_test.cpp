@@ -280,6 +280,25 @@ TEST_F(RealTime, TheMessageControllerOutlastsItsBus) {
   EXPECT_FALSE(summary("robot.json")["fell"].get<bool>()) << everything();
 }
 
+// Who stops a robot's process to look at it, and then ends it, is told of both.
+TEST_F(RealTime, ABusThatStoodStillAndThenGoesIsToldToHaveGone) {
+  auto robot = start_robot();
+  const auto message_controller = start_message_controller("0,0,0");
+  const auto told = [&](const char* text) {
+    return message_controller->output().find(text) != std::string::npos;
+  };
+  robot->send(SIGSTOP);
+  EXPECT_TRUE(until(5s, [&] { return told("stands still: waiting for it"); })) << message_controller->output();
+  robot.reset();  // killed
+  EXPECT_TRUE(until(5s, [&] { return told("has gone: waiting for it"); })) << message_controller->output();
+  robot = start_robot();
+  EXPECT_TRUE(until(5s, [&] { return told("is back after"); })) << message_controller->output();
+  EXPECT_EQ(message_controller->stop(), 0) << message_controller->output();
+  EXPECT_EQ(robot->stop(), 0) << robot->output();
+  ASSERT_TRUE(summary("message.json").is_object()) << everything();
+  EXPECT_EQ(summary("message.json")["bus_outages"].get<int>(), 1) << everything();
+}
+
 TEST_F(RealTime, ASecondCopyIsRefusedByName) {
   const auto robot = start_robot();
   const auto message_controller = start_message_controller("0,0,0");
