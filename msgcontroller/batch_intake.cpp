@@ -35,6 +35,7 @@ const msgclient::TrimGains* BatchIntake::take(std::int64_t now_ns, bool stopping
   judge(now_ns, stopping, on_their_own, answer);
   state.late += answer.verdict == msgclient::Verdict::late ? 1U : 0U;
   state.refused += answer.verdict == msgclient::Verdict::refused ? 1U : 0U;
+  refused_by_a_stop_ += answer.reason == msgclient::Reason::stopping ? 1U : 0U;
   const bool accepted = answer.verdict == msgclient::Verdict::accepted;
   if (accepted) {
     hand_.forget();

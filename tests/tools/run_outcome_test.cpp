@@ -62,10 +62,14 @@ TEST(RunOutcome, OneRefusedBatchIsToldAndAllowed) {
   EXPECT_THAT(outcome.text, HasSubstr("refused batches: 1 of 250"));
 }
 
-TEST(RunOutcome, ARunThatIsStoppedAtOnceMayHaveTheBatchRefusedThatWasOnItsWay) {
+TEST(RunOutcome, ARunThatIsStoppedMayHaveTheBatchesRefusedThatWereOnTheirWay) {
   constexpr double kStoppedAfter_s = 0.3;
-  EXPECT_EQ(outcome_of({}, {.handed_over = 3, .refused = 1}, kStoppedAfter_s).verdict, Verdict::done);
-  EXPECT_EQ(outcome_of({}, {.handed_over = 3, .refused = 2}, kStoppedAfter_s).verdict, Verdict::not_done);
+  const auto verdict = [](const BatchCount& batches) {
+    return outcome_of({}, batches, kStoppedAfter_s).verdict;
+  };
+  EXPECT_EQ(verdict({.handed_over = 3, .refused = 2, .refused_by_a_stop = 2}), Verdict::done);
+  EXPECT_EQ(verdict({.handed_over = 3, .refused = 2, .refused_by_a_stop = 1}), Verdict::not_done);
+  EXPECT_EQ(verdict({.handed_over = 3, .refused = 1}), Verdict::not_done);
   EXPECT_EQ(outcome_of({}, {.handed_over = 0, .refused = 1}, kStoppedAfter_s).verdict, Verdict::not_done);
 }
 

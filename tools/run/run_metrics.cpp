@@ -50,10 +50,8 @@ using Verdict = RunOutcome::Verdict;
 constexpr double kLeastShare = 0.5;          // of the commanded way
 constexpr double kLeastWay_m = 0.2;          // shorter ones tell nothing
 constexpr double kLeastTurn_rad = 0.3;       // 〃
-constexpr std::uint64_t kRefusedOneOf = 10;  // of so many batches one may be refused,
-constexpr std::uint64_t kRefusedByAStop =
-    1;  // and of any: the one that is on its way when somebody stops the robot
-constexpr double kBatchesWithin_s = 1.0;  // a shorter run may end before the first batch
+constexpr std::uint64_t kRefusedOneOf = 10;  // of so many batches one may be refused
+constexpr double kBatchesWithin_s = 1.0;     // a shorter run may end before the first batch
 
 void add(std::string& text, const std::string& part) {
   text += (text.empty() ? "" : ", ") + part;
@@ -71,8 +69,8 @@ std::string missing(const RunMetrics& metrics, const BatchCount& batches, double
     add(text, fmt::format("turned {:.2f} rad of the commanded {:.2f} rad", turn.done, turn.commanded));
   }
   const std::uint64_t all = batches.handed_over + batches.refused;
-  const bool is_more_than_a_stop = batches.refused > kRefusedByAStop || batches.handed_over == 0;
-  if (is_more_than_a_stop && batches.refused * kRefusedOneOf > all) {
+  const std::uint64_t refused_unasked = batches.refused - batches.refused_by_a_stop;
+  if (refused_unasked * kRefusedOneOf > all) {
     add(text, fmt::format("refused batches: {} of {}", batches.refused, all));
   } else if (all == 0 && virtual_s >= kBatchesWithin_s) {
     add(text, "no plug-in gave a batch");

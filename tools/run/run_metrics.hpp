@@ -105,6 +105,7 @@ struct RunMetrics {
 
 struct BatchCount {
   std::uint64_t handed_over = 0, refused = 0;
+  std::uint64_t refused_by_a_stop = 0;  // of those refused: what is on its way when somebody stops the robot
 };
 
 struct RunOutcome {
@@ -114,8 +115,7 @@ struct RunOutcome {
 };
 
 // Not done: less than half of the commanded way or turn (start-ups not counted), more than a tenth of the
-// batches refused (one may be, of however few: a stop refuses the one that is on its way), or none handed
-// over at all. way_missing: of a way that was asked for, and not walked to its end.
+// batches refused (but by a stop), or none handed over at all. way_missing: of a way that was asked for, and not walked to its end.
 [[nodiscard]] RunOutcome outcome_of(const RunMetrics& metrics, const BatchCount& batches, double virtual_s,
                                     const std::string& way_missing = {});
 

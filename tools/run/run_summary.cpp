@@ -127,7 +127,8 @@ RunOutcome outcome_of(const simulator::Cosimulation& run, const RunRecorder& rec
   RunOutcome outcome =
       outcome_of(metrics,
                  {.handed_over = state.handed_over,
-                  .refused = state.refused + run.main_controller().statistics().refused_locally},
+                  .refused = state.refused + run.main_controller().statistics().refused_locally,
+                  .refused_by_a_stop = run.message_controller().refused_by_a_stop()},
                  static_cast<double>(run.now_ns()) * 1e-9, recorder.way().missing());
   return mission ? outcome_of(*mission, std::move(outcome)) : outcome;
 }

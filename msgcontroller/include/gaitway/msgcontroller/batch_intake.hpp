@@ -26,6 +26,8 @@ class BatchIntake {
 
   // Latest hand-over, before its cycle begins: the trajectory frames must have arrived by then.
   [[nodiscard]] std::int64_t lead_ns() const noexcept { return lead_ns_; }
+  // Hand-overs that were refused for no other reason than that a stop was under way.
+  [[nodiscard]] std::uint64_t refused_by_a_stop() const noexcept { return refused_by_a_stop_; }
 
  private:
   void judge(std::int64_t now_ns, bool stopping, bool on_their_own, msgclient::Answer& answer) noexcept;
@@ -38,6 +40,7 @@ class BatchIntake {
   HandMovement& hand_;
   msgclient::EmiMessage& adapter_;
   std::int64_t lead_ns_;
+  std::uint64_t refused_by_a_stop_ = 0;
   std::unique_ptr<msgclient::HandOver> hand_over_;  // large: kept off the stack
   std::unique_ptr<CountPlan> plan_;
 };

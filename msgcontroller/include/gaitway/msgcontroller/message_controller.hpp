@@ -69,6 +69,8 @@ class MessageController final : private CommandTaker {
     return playback_.expected_count(joint, playback_.slot());
   }
 
+  // Of the hand-overs that were refused, those that a stop refused.
+  [[nodiscard]] std::uint64_t refused_by_a_stop() const noexcept { return intake_.refused_by_a_stop(); }
   // Releases that people asked for and that have begun: their answers come later.
   [[nodiscard]] std::uint64_t releases_taken() const noexcept { return commands_.releases_taken(); }
   // Whether it is known where the joints stand: nothing is moved before.
