@@ -149,11 +149,10 @@ std::string BusConnection::news(bool is_off, std::int64_t now_ns) {
   if (!is_off) {
     return fmt::format("the bus on {} is back after {:.1f} s", socket_.native(), away_s);
   }
-  return is_served_
-             ? fmt::format("the bus on {} stands still: waiting for it. Is virtual_robot stopped?",
-                           socket_.native())
-             : fmt::format("the bus on {} has gone: waiting for it. Has virtual_robot ended?",
-                           socket_.native());
+  return is_served_ ? fmt::format("the bus on {} stands still: waiting for it. Is virtual_robot stopped?",
+                                  socket_.native())
+                    : fmt::format("the bus on {} has gone: waiting for it. Has virtual_robot ended?",
+                                  socket_.native());
 }
 
 void BusConnection::close() {

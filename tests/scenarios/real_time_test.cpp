@@ -288,7 +288,8 @@ TEST_F(RealTime, ABusThatStoodStillAndThenGoesIsToldToHaveGone) {
     return message_controller->output().find(text) != std::string::npos;
   };
   robot->send(SIGSTOP);
-  EXPECT_TRUE(until(5s, [&] { return told("stands still: waiting for it"); })) << message_controller->output();
+  EXPECT_TRUE(until(5s, [&] { return told("stands still: waiting for it"); }))
+      << message_controller->output();
   robot.reset();  // killed
   EXPECT_TRUE(until(5s, [&] { return told("has gone: waiting for it"); })) << message_controller->output();
   robot = start_robot();

@@ -115,7 +115,8 @@ struct RunOutcome {
 };
 
 // Not done: less than half of the commanded way or turn (start-ups not counted), more than a tenth of the
-// batches refused (but by a stop), or none handed over at all. way_missing: of a way that was asked for, and not walked to its end.
+// batches refused (but by a stop), or none handed over at all. way_missing: of a way that was asked for, and
+// not walked to its end.
 [[nodiscard]] RunOutcome outcome_of(const RunMetrics& metrics, const BatchCount& batches, double virtual_s,
                                     const std::string& way_missing = {});
 
