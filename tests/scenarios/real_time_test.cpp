@@ -108,6 +108,19 @@ class RealTime : public testing::Test {
     EXPECT_GT(walked.value("distance_m", 0.0), 0.5) << "it never stops " << everything();
     return main_controller->output();
   }
+  static void expect_told(const Process& process, const std::string& text) {
+    EXPECT_TRUE(until(5s, [&] { return process.output().find(text) != std::string::npos; }))
+        << process.output();
+  }
+  // A robot is there again, and both end well.
+  void expect_back_after_one_outage(Process& message_controller) {
+    const auto robot = start_robot();
+    expect_told(message_controller, "is back after");
+    EXPECT_EQ(message_controller.stop(), 0) << message_controller.output();
+    EXPECT_EQ(robot->stop(), 0) << robot->output();
+    ASSERT_TRUE(summary("message.json").is_object()) << everything();
+    EXPECT_EQ(summary("message.json")["bus_outages"].get<int>(), 1) << everything();
+  }
   [[nodiscard]] std::string everything() const {
     std::string all;
     for (const char* file : {"robot.txt", "robot.json", "message.txt", "message.json", "main.txt"}) {
@@ -267,16 +280,8 @@ TEST_F(RealTime, TheMessageControllerOutlastsItsBus) {
   auto robot = start_robot();
   const auto message_controller = start_message_controller("0,0,0");
   robot.reset();  // killed
-  const auto told = [&](const char* text) {
-    return message_controller->output().find(text) != std::string::npos;
-  };
-  EXPECT_TRUE(until(5s, [&] { return told("has gone: waiting for it"); })) << message_controller->output();
-  robot = start_robot();
-  EXPECT_TRUE(until(5s, [&] { return told("is back after"); })) << message_controller->output();
-  EXPECT_EQ(message_controller->stop(), 0) << message_controller->output();
-  EXPECT_EQ(robot->stop(), 0) << robot->output();
-  ASSERT_TRUE(summary("message.json").is_object()) << everything();
-  EXPECT_EQ(summary("message.json")["bus_outages"].get<int>(), 1) << everything();
+  expect_told(*message_controller, "has gone: waiting for it");
+  expect_back_after_one_outage(*message_controller);
   EXPECT_FALSE(summary("robot.json")["fell"].get<bool>()) << everything();
 }
 
@@ -284,20 +289,11 @@ TEST_F(RealTime, TheMessageControllerOutlastsItsBus) {
 TEST_F(RealTime, ABusThatStoodStillAndThenGoesIsToldToHaveGone) {
   auto robot = start_robot();
   const auto message_controller = start_message_controller("0,0,0");
-  const auto told = [&](const char* text) {
-    return message_controller->output().find(text) != std::string::npos;
-  };
   robot->send(SIGSTOP);
-  EXPECT_TRUE(until(5s, [&] { return told("stands still: waiting for it"); }))
-      << message_controller->output();
+  expect_told(*message_controller, "stands still: waiting for it");
   robot.reset();  // killed
-  EXPECT_TRUE(until(5s, [&] { return told("has gone: waiting for it"); })) << message_controller->output();
-  robot = start_robot();
-  EXPECT_TRUE(until(5s, [&] { return told("is back after"); })) << message_controller->output();
-  EXPECT_EQ(message_controller->stop(), 0) << message_controller->output();
-  EXPECT_EQ(robot->stop(), 0) << robot->output();
-  ASSERT_TRUE(summary("message.json").is_object()) << everything();
-  EXPECT_EQ(summary("message.json")["bus_outages"].get<int>(), 1) << everything();
+  expect_told(*message_controller, "has gone: waiting for it");
+  expect_back_after_one_outage(*message_controller);
 }
 
 TEST_F(RealTime, ASecondCopyIsRefusedByName) {
