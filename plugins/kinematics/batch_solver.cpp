@@ -41,6 +41,7 @@ PlanPoint point_of(const MotionPlan& plan, int point, const BaseOffset& correcti
     const double* foot = plan.foot_position[point][i];
     result.foot_m[i] = {foot[0], foot[1], foot[2]};
     result.foot_yaw_rad[i] = plan.foot_yaw[point][i];
+    result.toe_up_rad[i] = plan.toe_up * foot[2];
   }
   return result;
 }
@@ -102,6 +103,7 @@ struct BatchSolver::Run {
 BatchSolver::BatchSolver(const urdf::RobotModel& model, SolverChoice choice, bool compensate_load)
     : model_(model),
       placement_(model_, choice),
+      leg_speed_(model_),
       fade_(kBowShare * urdf::slowest_leg_joint_rad_per_s(model)),
       fade_before_(fade_) {
   if (compensate_load) load_compensation_ = std::make_unique<LoadCompensation>(model_);
@@ -170,6 +172,8 @@ BatchOutcome BatchSolver::solve_standing_or_walking(const MotionPlan& plan, cons
   if (const BatchOutcome outcome = solve_tail(run); !outcome.solved()) return outcome;
   swing_arms(run);
   if (load_compensation_) load_compensation_->apply(plan, past_.precedes(plan), reference_rad, joint_plan);
+  leg_speed_.keep(joint_plan, kBatchPoints + static_cast<int>(plan.tail_count),
+                  past_.precedes(plan) ? &past_.reference_rad : nullptr);
 
   joint_plan.sequence = plan.sequence;
   joint_plan.joint_count = static_cast<std::uint32_t>(home_rad_.size());
@@ -182,6 +186,7 @@ BatchOutcome BatchSolver::solve_standing_or_walking(const MotionPlan& plan, cons
   past_.sequence = plan.sequence;
   std::copy(run.batch.end() - 3, run.batch.end(), past_.last.begin());
   past_.arm_back_rad = run.arm_back_rad;
+  past_.reference_rad = leg_speed_.references_rad(joint_plan, kBatchPoints - 1);
   return {};
 }
 

@@ -34,7 +34,7 @@ class Kinematics final : public Plugin {
     joint_plan_.publish();
   }
 
-  [[nodiscard]] std::uint32_t state_version() const override { return 4; }
+  [[nodiscard]] std::uint32_t state_version() const override { return 5; }
   void save_state(StateWriter& state) const override { state(solver_, held_start_); }
   void restore_state(StateReader& state) override { state(solver_, held_start_); }
 

@@ -158,7 +158,8 @@ PointFrames WholeBodyPlacement::frames(const PlanPoint& point) const noexcept {
     const double y = point.foot_m[i].y() - point.com_m.y();
     frames.foot_m[i] = {c * x + s * y - point.com_offset_m.x(), c * y - s * x - point.com_offset_m.y(),
                         point.foot_m[i].z()};
-    frames.base_from_sole[i] = about_z(point.foot_yaw_rad[i] - point.base_yaw_rad);
+    frames.base_from_sole[i] = about_z(point.foot_yaw_rad[i] - point.base_yaw_rad) *
+                               Eigen::AngleAxisd(-point.toe_up_rad[i], Eigen::Vector3d::UnitY());
     if (tilted) frames.base_from_sole[i] = frames.heading_from_base.transpose() * frames.base_from_sole[i];
   }
   return frames;

@@ -112,6 +112,7 @@ BalanceController::Situation BalanceController::assess(std::int64_t now_ns,
   now.meant.trunk_rate_rad_per_s.y() += now.bow.rate_rad_per_s;
   lean_as_held(inputs, now.meant);
   now.obeys = inputs.network == nullptr || inputs.network->mode != network_state::mode::emergency_stop;
+  now.plays = inputs.network == nullptr || inputs.network->mode == network_state::mode::batches;
   if (!is_usable(inputs.estimate, now.meant, now_ns)) return now;
   now.estimate = inputs.estimate;
   const std::optional<std::size_t> support = support_of(now.moment, *now.estimate);
@@ -195,13 +196,15 @@ void BalanceController::balance_trunk(const Situation& now, TrimCommand& trim) n
   trims_.update(trunk, now.support, trim);
 }
 
-// What is learned from a trunk that is being caught makes the robot fall.
+// What is learned from a trunk that is being caught makes the robot fall; and so does a lean that was learned
+// while no batch could take it out, as soon as one comes.
 void BalanceController::learn(const Situation& now) noexcept {
   if (!now.grounded) return lean_.fade();
   if (now.meant.motion || !now.obeys || (now.sways && !now.meant.walking)) return;
   const Estimate& estimate = *now.estimate;
-  lean_.update(estimate.attitude[0] - held_lean_rad_[0],
-               estimate.attitude[1] - now.bow.angle_rad - held_lean_rad_[1], now.meant.walking);
+  if (now.plays)
+    lean_.update(estimate.attitude[0] - held_lean_rad_[0],
+                 estimate.attitude[1] - now.bow.angle_rad - held_lean_rad_[1], now.meant.walking);
   if (!now.stands || now.support != kBothFeet || now.bows) return;
   soles_.learn(estimate);
   if (now.meant.since_start_s < kFresh_s)

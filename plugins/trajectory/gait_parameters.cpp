@@ -31,6 +31,8 @@ std::array<NumberParameter, GaitParameters::kNumbers> GaitParameters::numbers() 
       {lift_m, "lift", "m", 0.0, 0.2, "highest point of the swing foot's sole"},
       {swing_flatness, "swing_flatness", "1", 0.0, 1.0,
        "share of a cubic in the swing foot's way: slower at its fastest, quicker to start"},
+      {toe_up_rad_per_m, "toe_up", "rad/m", 0.0, 100.0,
+       "by which the swing foot's toes are up, for each metre of its height"},
       {adjust_threshold_m, "adjust_threshold", "m", 0.0, 1.0,
        "deviation of the DCM ahead or back, below which no step is adjusted", kLive},
       {adjust_side_threshold_m, "adjust_side_threshold", "m", 0.0, 1.0,

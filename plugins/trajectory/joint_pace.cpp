@@ -37,11 +37,15 @@ Angles angles_at(const MotionPlan& plan, std::size_t i, std::size_t side, const 
   const Eigen::Rotation2Dd base(plan.base_yaw[i]), foot(plan.foot_yaw[i][side]);
   const Eigen::Vector2d hip = Eigen::Vector2d(plan.com[i][0], plan.com[i][1]) +
                               base * Eigen::Vector2d(leg.hip_forward_m, leg.hip_left_m);
+  const double height_m = plan.foot_position[i][side][2];
+  const double toe_up_rad = plan.toe_up * height_m;
+  const Eigen::Vector2d sagittal =  // of the ankle from the sole: ahead, up
+      Eigen::Rotation2Dd(toe_up_rad) * Eigen::Vector2d(leg.ankle_forward_m, leg.ankle_height_m);
   const Eigen::Vector2d ankle =
       Eigen::Vector2d(plan.foot_position[i][side][0], plan.foot_position[i][side][1]) +
-      foot * Eigen::Vector2d(leg.ankle_forward_m, leg.ankle_left_m);
+      foot * Eigen::Vector2d(sagittal.x(), leg.ankle_left_m);
   const Eigen::Vector2d out = base.inverse() * (ankle - hip);
-  const double down = plan.hip_height[i] - leg.ankle_height_m - plan.foot_position[i][side][2];
+  const double down = plan.hip_height[i] - sagittal.y() - height_m;
   const double depth = std::hypot(down, out.y());
   const double cosine = (out.x() * out.x() + depth * depth - leg.aside_m * leg.aside_m -
                          leg.thigh_m * leg.thigh_m - leg.shin_m * leg.shin_m) /
@@ -50,7 +54,8 @@ Angles angles_at(const MotionPlan& plan, std::size_t i, std::size_t side, const 
   const double hip_pitch = -std::atan2(out.x(), depth) -
                            std::atan2(leg.shin_m * std::sin(knee), leg.thigh_m + leg.shin_m * std::cos(knee));
   const double hip_roll = std::atan2(out.y(), down);
-  return {hip_pitch, knee, -hip_pitch - knee, plan.foot_yaw[i][side] - plan.base_yaw[i], hip_roll, -hip_roll};
+  return {hip_pitch, knee,     -hip_pitch - knee - toe_up_rad, plan.foot_yaw[i][side] - plan.base_yaw[i],
+          hip_roll,  -hip_roll};
 }
 
 // What the limits of a leg's joints leave, in the angles of the triangle.

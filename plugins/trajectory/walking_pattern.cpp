@@ -72,6 +72,7 @@ void WalkingPattern::plan(std::uint32_t sequence, std::int64_t start_ns, const W
   plan.start_ns = start_ns;
   plan.motion = 0;
   plan.arm_swing = parameters_.arm_swing_rad_per_m;
+  plan.toe_up = parameters_.toe_up_rad_per_m;
   schedule(command, correction, dcm_deviation_m, steps);
   write_batch(plan);
   write_tail(plan);

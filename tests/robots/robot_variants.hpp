@@ -45,14 +45,11 @@ class RobotVariant {
     write();
   }
 
-  // The named joints of both sides turn at most so fast, by their URDF; names without their side.
-  void limit_speed_of(const std::vector<std::string>& names, double rad_per_s) {
-    const std::string limit = "velocity=\"" + std::to_string(rad_per_s);
-    for (const std::string side : {"left_", "right_"}) {
-      for (const std::string& name : names) {
-        part(urdf_, "<joint name=\"" + side + name + "\"", "velocity=\"", "\"/>", &limit);
-      }
-    }
+  // The joint of both sides turns so far to either side; its name without the side.
+  void narrow(const std::string& name, double rad) {
+    const std::string number = std::to_string(rad), limit = "lower=\"-" + number + "\" upper=\"" + number;
+    for (const std::string side : {"left_", "right_"})
+      part(urdf_, "<joint name=\"" + side + name + "\"", "lower=\"", "\" effort", &limit);
     write();
   }
 

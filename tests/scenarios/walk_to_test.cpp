@@ -128,7 +128,7 @@ TEST(WalkTo, AroundWhatAppearsOnTheWay) {
     EXPECT_EQ(way["result"], "arrived") << "seed " << seed << ": " << way["text"];
     EXPECT_GT(way["replans"], 0) << "seed " << seed;
     EXPECT_EQ(things_touched(run), 0) << "seed " << seed;
-    EXPECT_LT(way["goal_error_mm"], 25.0) << "seed " << seed;
+    EXPECT_LT(way["goal_error_mm"], 20.0) << "seed " << seed;
   }
 }
 

@@ -48,6 +48,15 @@ std::vector<Follower> follow_all(NominalRecord& record, msgclient::Client& clien
   return followers;
 }
 
+// The message controller says nothing of joints that it does not know yet, for a slot or more. What a plug-in
+// does without inputs is for the checks of values alone: here the first ones are there from the start.
+void bring_forward(RecordedTopic& topic) {
+  for (std::uint32_t& newest : topic.newest_at) {
+    if (newest != 0) return;
+    newest = 1;
+  }
+}
+
 }  // namespace
 
 NominalRecord record_nominal_walk(const std::filesystem::path& robot, const std::filesystem::path& config,
@@ -74,6 +83,10 @@ NominalRecord record_nominal_walk(const std::filesystem::path& robot, const std:
       }
       ++tick;
     }
+  }
+  for (RecordedTopic& topic : record.topics()) {
+    if (topic.name == "joint_states" || topic.name == "foot_forces" || topic.name == "imu")
+      bring_forward(topic);
   }
   if (run.plant().fallen()) {
     throw std::runtime_error("the robot fell in the walk that gives the inputs");

@@ -77,6 +77,8 @@ class RobotBuilder {
     joint.home_rad = sign * (home_rad - zero_rad);
     joint.lower_rad = -2.4;
     joint.upper_rad = 2.4;
+    joint.velocity_limit_rad_per_s = 20.0;
+    joint.count_rad = 0.002;
     model_.links.push_back({name + "_link", static_cast<int>(model_.joints.size()), mass_kg, com, {}, {}});
     model_.joints.push_back(joint);
     const Eigen::Matrix3d r = joint.origin.linear();

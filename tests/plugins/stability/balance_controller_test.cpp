@@ -102,6 +102,22 @@ TEST_F(BalanceControllerTest, APlanThatTheNetworkRefusedDoesNotCount) {
   EXPECT_NEAR(trim_.angle[kRightAnklePitch], 0.01, 1e-7);
 }
 
+// A robot that holds leans as it leans: what no batch takes out is not learned again and again, or the first
+// batch would throw it over.
+TEST_F(BalanceControllerTest, ALeanIsLearnedFromBatchesAlone) {
+  has_network_ = true;
+  network_.accepted_sequence = 1;
+  plan(2);
+  for (const std::uint32_t mode : {network_state::mode::safe_tail, network_state::mode::holding}) {
+    network_.mode = mode;
+    tick(500);
+    EXPECT_EQ(correction_.base_attitude_offset[1], 0.0) << mode;
+  }
+  network_.mode = network_state::mode::batches;
+  tick(500);
+  EXPECT_NE(correction_.base_attitude_offset[1], 0.0);
+}
+
 TEST_F(BalanceControllerTest, LostEstimateFadesTheTrimsAndKeepsTheGains) {
   plan(2);
   tick(100);

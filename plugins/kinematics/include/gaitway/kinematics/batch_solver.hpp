@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "gaitway/kinematics/correction_fade.hpp"
+#include "gaitway/kinematics/leg_speed.hpp"
 #include "gaitway/kinematics/load_compensation.hpp"
 #include "gaitway/kinematics/whole_body_placement.hpp"
 #include "gaitway/msgclient/topics.hpp"
@@ -68,8 +69,7 @@ class BatchSolver {
   // What a successor goes on from.
   template <class Self, class Archive>
   static void visit_state(Self& self, Archive& archive) {
-    archive(self.fade_, self.past_.sequence, self.past_.last, self.past_.arm_back_rad, self.fade_before_,
-            self.past_before_.sequence, self.past_before_.last, self.past_before_.arm_back_rad);
+    archive(self.fade_, self.past_, self.fade_before_, self.past_before_);
     if (self.load_compensation_) archive(*self.load_compensation_);
   }
 
@@ -108,6 +108,7 @@ class BatchSolver {
   const urdf::RobotModel model_;
   WholeBodyPlacement placement_;
   std::unique_ptr<LoadCompensation> load_compensation_;  // large; none: the references are the planned angles
+  LegSpeed leg_speed_;
   std::vector<float> home_rad_;
   std::optional<urdf::ArmSwing> arms_;
   urdf::Neck neck_;
@@ -116,6 +117,11 @@ class BatchSolver {
     std::uint32_t sequence = 0;  // of the last batch that was solved
     std::array<Knot, 3> last{};  // its last three points
     double arm_back_rad = 0.0;   // the left arm at its end
+    LegAngles reference_rad{};   // of the legs, at its end
+    template <class Self, class Archive>
+    static void visit_state(Self& self, Archive& archive) {
+      archive(self.sequence, self.last, self.arm_back_rad, self.reference_rad);
+    }
     [[nodiscard]] bool precedes(const MotionPlan& plan) const noexcept {
       return sequence != 0 && plan.sequence == sequence + 1;
     }

@@ -60,6 +60,7 @@ struct PlanPoint {
   std::array<Eigen::Vector3d, 2> foot_m{Eigen::Vector3d::Zero(),
                                         Eigen::Vector3d::Zero()};  // [Side], plan frame
   std::array<double, 2> foot_yaw_rad{};                            // [Side], plan frame
+  std::array<double, 2> toe_up_rad{};                              // [Side], of the sole against the ground
 };
 
 // What of a point does not depend on where the base is: orientations, and positions relative to the CoM.

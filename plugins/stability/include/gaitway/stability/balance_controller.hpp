@@ -64,6 +64,7 @@ class BalanceController {
     bool sways = true;
     bool bows = false;
     bool obeys = true;  // the joints do what is planned: no emergency stop
+    bool plays = true;  // batches, by which a correction comes about
   };
 
   void lean_as_held(const BalanceInputs& inputs, PlanMoment& meant) noexcept;

@@ -68,8 +68,11 @@ struct GaitParameters {
   double response_lag_s = 0.020;  // of the body behind its plan: servos and sensors
 
   // Shape of a step.
-  double lift_m = 0.030;         // highest point of the swing foot's sole
-  double swing_flatness = 0.0;   // SwingFoot
+  double lift_m = 0.030;        // highest point of the swing foot's sole
+  double swing_flatness = 0.0;  // SwingFoot
+  // By which its toes are up, for each metre of its height: a hip that is too slow for a fast swing lags, the
+  // whole leg turns with it, and the toes would meet the ground first.
+  double toe_up_rad_per_m = 0.0;
   double zmp_forward_m = 0.010;  // reference ZMP ahead of the sole's origin
   double zmp_inward_m = 0.010;   // and towards the other foot
 
@@ -128,7 +131,7 @@ struct GaitParameters {
   }
 
   // As the configuration has them; all but the sole, which is the robot's.
-  static constexpr std::size_t kNumbers = 50;
+  static constexpr std::size_t kNumbers = 51;
   [[nodiscard]] std::array<NumberParameter, kNumbers> numbers();
   // The live numbers of `changed`; the others stay as they are. No allocation.
   void tune(GaitParameters changed) noexcept;
