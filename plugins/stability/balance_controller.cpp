@@ -21,6 +21,9 @@ constexpr std::int64_t kNetworkLifetime_ns = 50'000'000;
 // A batch and some delay: when no batches come, nothing that is asked of them is done, and none of it is
 // learned.
 constexpr double kFresh_s = 0.12;
+// Without batches for so long, a lean is no longer learned: nothing takes it out, and it would be learned
+// again and again.
+constexpr double kShortBreak_s = 0.1;
 
 const BalanceParameters& checked(const BalanceParameters& parameters) {
   parameters.validate();
@@ -112,7 +115,8 @@ BalanceController::Situation BalanceController::assess(std::int64_t now_ns,
   now.meant.trunk_rate_rad_per_s.y() += now.bow.rate_rad_per_s;
   lean_as_held(inputs, now.meant);
   now.obeys = inputs.network == nullptr || inputs.network->mode != network_state::mode::emergency_stop;
-  now.plays = inputs.network == nullptr || inputs.network->mode == network_state::mode::batches;
+  const bool plays = inputs.network == nullptr || inputs.network->mode == network_state::mode::batches;
+  without_batches_s_ = plays ? 0.0 : without_batches_s_ + facts::kSlot_s;
   if (!is_usable(inputs.estimate, now.meant, now_ns)) return now;
   now.estimate = inputs.estimate;
   const std::optional<std::size_t> support = support_of(now.moment, *now.estimate);
@@ -202,7 +206,7 @@ void BalanceController::learn(const Situation& now) noexcept {
   if (!now.grounded) return lean_.fade();
   if (now.meant.motion || !now.obeys || (now.sways && !now.meant.walking)) return;
   const Estimate& estimate = *now.estimate;
-  if (now.plays)
+  if (without_batches_s_ < kShortBreak_s)
     lean_.update(estimate.attitude[0] - held_lean_rad_[0],
                  estimate.attitude[1] - now.bow.angle_rad - held_lean_rad_[1], now.meant.walking);
   if (!now.stands || now.support != kBothFeet || now.bows) return;

@@ -29,7 +29,7 @@ class Stability final : public Plugin {
     correction_.publish();
   }
 
-  [[nodiscard]] std::uint32_t state_version() const override { return 7; }
+  [[nodiscard]] std::uint32_t state_version() const override { return 8; }
   void save_state(StateWriter& state) const override { state(controller_); }
   void restore_state(StateReader& state) override { state(controller_); }
 

@@ -43,8 +43,7 @@ class LegSpeedTest : public ::testing::Test {
   urdf::RobotModel robot_ = urdf::load_robot(GAITWAY_HUMANOID22_DIRECTORY);
   LegSpeed speed_{robot_};
   int knee_ = robot_.legs[1].joints[3];
-  double most_rad_ =
-      robot_.joints[static_cast<std::size_t>(knee_)].velocity_limit_rad_per_s * facts::kSlot_s;
+  double most_rad_ = robot_.joints[static_cast<std::size_t>(knee_)].velocity_limit_rad_per_s * facts::kSlot_s;
   std::unique_ptr<JointPlan> plan_ = std::make_unique<JointPlan>();
 };
 

@@ -48,7 +48,8 @@ class BalanceController {
   template <class Self, class Archive>
   static void visit_state(Self& self, Archive& archive) {
     archive(self.timeline_, self.trims_, self.heading_, self.speed_, self.lean_, self.fall_reaction_,
-            self.soles_, self.centring_, self.hips_, self.without_contact_s_, self.held_lean_rad_);
+            self.soles_, self.centring_, self.hips_, self.without_contact_s_, self.without_batches_s_,
+            self.held_lean_rad_);
   }
 
  private:
@@ -64,7 +65,6 @@ class BalanceController {
     bool sways = true;
     bool bows = false;
     bool obeys = true;  // the joints do what is planned: no emergency stop
-    bool plays = true;  // batches, by which a correction comes about
   };
 
   void lean_as_held(const BalanceInputs& inputs, PlanMoment& meant) noexcept;
@@ -93,6 +93,7 @@ class BalanceController {
   ComCentring centring_;
   HipStrategy hips_;
   double without_contact_s_ = 0.0;
+  double without_batches_s_ = 0.0;
   std::array<double, 2> held_lean_rad_{};  // roll, pitch: see lean_as_held()
 };
 
