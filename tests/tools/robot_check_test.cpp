@@ -55,7 +55,7 @@ TEST(RobotCheck, SaysThatARobotWalksTooSlowly) {
 // while.
 TEST(RobotCheck, SaysThatTooManyBatchesAreLacking) {
   RobotVariant humanoid22;
-  humanoid22.narrow("ankle_roll", 0.09);
+  humanoid22.narrow("ankle_roll", 0.082);
   const auto run = check(humanoid22.folder(), "--speed 0");
   EXPECT_EQ(run.code, 3) << run.all();
   EXPECT_THAT(run.said, testing::AllOf(HasSubstr("walks: no"), HasSubstr("beyond its limits"),
