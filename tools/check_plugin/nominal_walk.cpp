@@ -51,6 +51,7 @@ std::vector<Follower> follow_all(NominalRecord& record, msgclient::Client& clien
 // The message controller says nothing of joints that it does not know yet, for a slot or more. What a plug-in
 // does without inputs is for the checks of values alone: here the first ones are there from the start.
 void bring_forward(RecordedTopic& topic) {
+  if (topic.stamp_ns.empty()) return;
   for (std::uint32_t& newest : topic.newest_at) {
     if (newest != 0) return;
     newest = 1;
