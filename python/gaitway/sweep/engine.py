@@ -20,7 +20,7 @@ from .trial import Trial
 from .work import request_of
 
 REQUEST_S = 0.25  # so long a request of short trials takes
-MOST_IN_REQUEST = 64
+MOST_IN_REQUEST = 200
 MOST_STORED_AT_ONCE = 2000  # read from the store before reports are looked at
 POLL_S = 0.2
 DEADLY = 5  # workers that died running a trial: it is the trial's fault then

@@ -18,6 +18,10 @@ KINDS = {
 class TrialKind(Protocol):
     """What a worker and the client have in common about one kind of trial. Made without arguments."""
 
+    @property
+    def measures(self) -> tuple[str, ...]:
+        """What a result has, in the order of a table's columns."""
+
     def code(self) -> str:
         """Hash of everything in this installation that a result depends on."""
 
