@@ -26,6 +26,10 @@ endif()
 
 set(GAITWAY_MUJOCO_DIR "${PROJECT_SOURCE_DIR}/.deps/mujoco" CACHE PATH
     "Folder with libmujoco.so.4.0.0 and include/mujoco/mujoco.h (./dev setup fills the default)")
+if(SKBUILD AND NOT EXISTS "${GAITWAY_MUJOCO_DIR}")  # pip has it beside what else it builds with
+  execute_process(COMMAND "${Python3_EXECUTABLE}" -c "from importlib.metadata import distribution as d; print(d('mujoco-core').locate_file('mujoco'))"
+    OUTPUT_VARIABLE GAITWAY_MUJOCO_DIR OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+endif()
 set(gaitway_mujoco_library "${GAITWAY_MUJOCO_DIR}/libmujoco.so.4.0.0")
 if(NOT EXISTS "${gaitway_mujoco_library}")
   message(FATAL_ERROR "MuJoCo 4.0.0 not found: ${gaitway_mujoco_library} is missing. "

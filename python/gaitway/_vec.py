@@ -1,0 +1,109 @@
+"""Many environments at once, run by native threads while the interpreter is free: equal to single ones, to the bit."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from gaitway._env import CYCLE_MS, Env, Vector  # first: it says what to do without Gymnasium
+from gymnasium.vector import AutoresetMode, VectorEnv
+from gymnasium.vector.utils import batch_space
+
+from gaitway import _native
+
+Vectors = np.ndarray[Any, np.dtype[Any]]  # also of flags
+
+
+class VecEnv(VectorEnv[Vectors, Vectors, Vectors]):
+    """Environments that step together. One that has ended begins anew in the next step, as with SyncVectorEnv."""
+
+    metadata: dict[str, Any] = {"render_modes": [], "autoreset_mode": AutoresetMode.NEXT_STEP}
+
+    def __init__(self, envs: Sequence[Env], threads: int | None = None) -> None:
+        if not envs:
+            raise ValueError("a vector of no environments")
+        self.envs = list(envs)
+        self.num_envs = len(self.envs)
+        self._pool = _native.Pool(min(self.num_envs, len(os.sched_getaffinity(0)) if threads is None else threads))
+        self.single_action_space = self.envs[0].action_space
+        self.single_observation_space = self.envs[0].observation_space
+        self.action_space = batch_space(self.single_action_space, self.num_envs)
+        self.observation_space = batch_space(self.single_observation_space, self.num_envs)
+        self._ended = np.zeros(self.num_envs, dtype=np.bool_)
+
+    @property
+    def threads(self) -> int:
+        return self._pool.threads
+
+    def reset(self, *, seed: int | Sequence[int | None] | None = None,
+              options: dict[str, Any] | None = None) -> tuple[Vectors, dict[str, Any]]:
+        seeds: Sequence[int | None]
+        if seed is None:
+            seeds = [None] * self.num_envs
+        elif isinstance(seed, (int, np.integer)):
+            seeds = [int(seed) + i for i in range(self.num_envs)]
+        else:
+            seeds = seed
+        if len(seeds) != self.num_envs:
+            raise ValueError(f"{len(seeds)} seeds for {self.num_envs} environments")
+        infos: dict[str, Any] = {}
+        observations = []
+        for i, (observation, info) in enumerate(self._begin_anew(self.envs, seeds)):
+            observations.append(observation)
+            infos = self._add_info(infos, info, i)
+        self._ended[:] = False
+        return np.stack(observations), infos
+
+    def step(self, actions: Vectors) -> tuple[Vectors, Vectors, Vectors, Vectors, dict[str, Any]]:
+        actions = np.asarray(actions)
+        if actions.shape[:1] != (self.num_envs,):
+            raise ValueError(f"actions: shape {actions.shape}; must be {self.action_space.shape}")
+        going = [i for i in range(self.num_envs) if not self._ended[i]]
+        for i in going:
+            self.envs[i].begin_step(actions[i])
+        self._pool.advance([self.envs[i].robot._run for i in going], CYCLE_MS)
+        results: list[tuple[Vector, float, bool, bool, dict[str, Any]]] = [
+            (np.zeros(0), 0.0, False, False, {})] * self.num_envs
+        for i in going:
+            results[i] = self.envs[i].finish_step()
+        ended = [i for i in range(self.num_envs) if self._ended[i]]
+        begun = self._begin_anew([self.envs[i] for i in ended], [None] * len(ended))
+        for i, (observation, info) in zip(ended, begun, strict=True):
+            results[i] = (observation, 0.0, False, False, info)
+        return self._joined(results)
+
+    def _begin_anew(self, envs: Sequence[Env], seeds: Sequence[int | None]) -> list[tuple[Vector, dict[str, Any]]]:
+        if not envs:
+            return []
+        chosen = [env.begin_reset(seed) for env, seed in zip(envs, seeds, strict=True)]
+        runs = [env.robot._run for env in envs]
+        for env in envs:
+            env.robot._forget()
+        self._pool.restart(runs, chosen)
+        self._pool.advance(runs, envs[0].start_cycles * CYCLE_MS)
+        return [env.finish_reset() for env in envs]
+
+    def _joined(self, results: list[tuple[Vector, float, bool, bool, dict[str, Any]]]
+                ) -> tuple[Vectors, Vectors, Vectors, Vectors, dict[str, Any]]:
+        infos: dict[str, Any] = {}
+        for i, result in enumerate(results):
+            infos = self._add_info(infos, result[4], i)
+        terminations = np.array([result[2] for result in results], dtype=np.bool_)
+        truncations = np.array([result[3] for result in results], dtype=np.bool_)
+        self._ended = terminations | truncations
+        rewards = np.array([result[1] for result in results], dtype=np.float64)
+        return np.stack([result[0] for result in results]), rewards, terminations, truncations, infos
+
+    def close_extras(self, **kwargs: Any) -> None:
+        for env in self.envs:
+            env.close()
+
+
+def make_vec(num_envs: int, *, threads: int | None = None, **env: Any) -> VecEnv:
+    """`num_envs` environments made alike, on as many native threads as there are processors; `env`: what gaitway.Env takes."""
+    if num_envs < 1:
+        raise ValueError(f"num_envs = {num_envs}: must be at least 1")
+    return VecEnv([Env(**env) for _ in range(num_envs)], threads)

@@ -1,0 +1,179 @@
+"""Whatever is wrong is told by an exception that names it, and the interpreter lives on."""
+
+import os
+import subprocess
+import sys
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import gaitway
+
+NAN, INFINITE = float("nan"), float("inf")
+
+
+@pytest.fixture(scope="module")
+def robot():
+    with gaitway.Robot(seed=1) as made:
+        made.run(0.3)
+        yield made
+
+
+@pytest.mark.parametrize(("call", "error", "tells"), [
+    (lambda r: r.run(NAN), ValueError, "finite"),
+    (lambda r: r.run(-1.0), ValueError, "negative"),
+    (lambda r: r.run("1"), TypeError, ""),
+    (lambda r: r.walk(NAN), ValueError, ""),
+    (lambda r: r.walk(9.0), ValueError, "walk"),
+    (lambda r: r.walk("fast"), ValueError, ""),
+    (lambda r: r.push("trunkk", (1, 0, 0)), ValueError, "Did you mean"),
+    (lambda r: r.push(r.links[0], (1, 0)), ValueError, "three"),
+    (lambda r: r.push(r.links[0], (NAN, 0, 0)), ValueError, "finite"),
+    (lambda r: r.push(r.links[0], (0, 0, 0)), ValueError, "no direction"),
+    (lambda r: r.push(r.links[0], (1e9, 0, 0)), ValueError, "impulse"),
+    (lambda r: r.apply("wlak: [1, 0, 0]"), ValueError, "Did you mean 'walk'"),
+    (lambda r: r.apply("{"), ValueError, ""),
+    (lambda r: r.apply({"fault": {"kind": "plugin_fails", "plugin": "zpm", "how": "throws"}}), ValueError, "zmp"),
+    (lambda r: r.apply(3), TypeError, ""),
+    (lambda r: r.write("walk_request", {"velocity": [NAN, 0.0]}), ValueError, r"velocity\[0\] = nan"),
+    (lambda r: r.write("walk_request", {"velocity": [INFINITE, 0.0]}), ValueError, "within"),
+    (lambda r: r.write("walk_request", {"velocity": [99.0, 0.0]}), ValueError, "within"),
+    (lambda r: r.write("walk_request", {"velocity": [1.0]}), ValueError, "shape"),
+    (lambda r: r.write("walk_request", {"velocity": "ab"}), ValueError, "shape"),
+    (lambda r: r.write("walk_request", {"walk": 0.5}), TypeError, "uint32"),
+    (lambda r: r.write("walk_request", {"walk": -1}), (TypeError, ValueError), ""),
+    (lambda r: r.write("walk_request", {"walk": 2**40}), (TypeError, ValueError), ""),
+    (lambda r: r.write("walk_request", np.zeros(3)), TypeError, "mapping"),
+    (lambda r: r.write("walk_request", r.topic("imu")), TypeError, "dtype"),
+    (lambda r: r.write("estimate", {}), gaitway.TopicError, "zmp"),
+    (lambda r: r.write("motion_request", {"name": "x" * 500}), ValueError, "room"),
+    (lambda r: r.restart(-1), ValueError, "seed"),
+    (lambda r: r.restart(1.5), TypeError, ""),
+    (lambda r: r.restore(None), TypeError, ""),
+    (lambda r: r.topic("walk_to_request"), gaitway.NothingPublished, "nothing"),
+    (lambda r: r.__reduce__(), TypeError, "pickled"),
+])
+def test_calls(robot, call, error, tells):
+    with pytest.raises(error, match=tells):
+        call(robot)
+    before = robot.time_s
+    robot.run(0.01)
+    assert robot.time_s == pytest.approx(before + 0.01)
+
+
+@pytest.mark.parametrize(("arguments", "error", "tells"), [
+    ({"robot": "humanoid2"}, ValueError, "humanoid22"),
+    ({"robot": "/no/such/folder"}, ValueError, "no/such"),
+    ({"config": "wlk"}, ValueError, "walk"),
+    ({"world": "boxs"}, ValueError, "boxes"),
+    ({"world_seed": 1}, ValueError, "world"),
+    ({"seed": -1}, ValueError, "seed"),
+    ({"seed": 2**64}, ValueError, "seed"),
+    ({"seed": 1.5}, TypeError, ""),
+    ({"mismatch": NAN}, ValueError, "mismatch"),
+    ({"mismatch": 11}, ValueError, "mismatch"),
+    ({"conditions": {"slope": 3}}, ValueError, "slope"),
+    ({"parameters": {"trajectry": {"lift": 1}}}, ValueError, "trajectory"),
+    ({"parameters": {"trajectory": {"no_such": 1}}}, (ValueError, gaitway.PluginError), "no_such"),
+    ({"writes": ["corection"]}, KeyError, "correction"),
+    ({"libraries": ["/no/such.so"]}, (ValueError, gaitway.PluginError), "no/such"),
+    ({"profile": "papr"}, ValueError, "paper"),
+])
+def test_robots_that_cannot_be(arguments, error, tells):
+    with pytest.raises(error, match=tells):
+        gaitway.Robot(**arguments)
+
+
+def test_after_close():
+    robot = gaitway.Robot()
+    robot.run(0.2)
+    view, snapshot = robot.view("imu"), robot.snapshot()
+    robot.close()
+    robot.close()
+    assert robot.closed and "closed" in repr(robot)
+    assert view["stamp_ns"] > 0
+    for call in (lambda: robot.run(0.1), lambda: robot.walk(0.1), lambda: robot.topic("imu"), robot.snapshot, robot.events, robot.truth,
+                 lambda: robot.restore(snapshot), lambda: robot.view("estimate"), lambda: robot.fallen, lambda: robot.digest):
+        with pytest.raises(gaitway.ClosedError, match="closed"):
+            call()
+
+
+def test_two_threads_with_one_robot():
+    robot = gaitway.Robot()
+    thread = threading.Thread(target=lambda: robot.run(3.0))
+    thread.start()
+    told = None
+    while thread.is_alive() and told is None:
+        try:
+            robot.run(0.001)
+        except gaitway.BusyError as error:
+            told = str(error)
+        time.sleep(0.001)
+    thread.join()
+    assert told is not None and "another thread" in told
+    robot.run(0.01)
+
+
+FORK = """
+import os, sys
+import gaitway
+robot = gaitway.Robot(seed=4)
+robot.run(0.3)
+vec = gaitway.make_vec(2, threads=2)
+vec.reset(seed=1)
+digest, view = robot.digest, robot.view("imu")
+child = os.fork()
+if child == 0:
+    told = 0
+    for call in (lambda: robot.run(0.1), robot.truth, lambda: vec.reset(seed=1), lambda: robot.topic("imu")):
+        try:
+            call()
+        except gaitway.ForkError as error:
+            told += "forked" in str(error)
+    robot.close()
+    del robot, vec
+    with gaitway.Robot(seed=4) as own:
+        own.run(0.3)
+        sys.exit(0 if told == 4 and own.digest == digest and view["stamp_ns"] > 0 else 3)
+_, status = os.waitpid(child, 0)
+assert os.waitstatus_to_exitcode(status) == 0, status
+assert robot.digest == digest
+robot.run(0.3)
+vec.step(vec.action_space.sample() * 0.1)
+"""
+
+
+def test_fork():
+    subprocess.run([sys.executable, "-c", FORK], check=True, timeout=120)
+
+
+def test_a_crashing_plugin_is_refused_by_name():
+    crashes = os.environ.get("GAITWAY_CRASHING_PLUGIN")
+    if not crashes:
+        pytest.skip("there is no plug-in that crashes in this build")
+    with pytest.raises((gaitway.PluginError, ValueError)):
+        gaitway.Robot(libraries=[crashes])
+
+
+def test_import_is_quick_and_does_nothing():
+    code = ("import threading, signal, time; start = time.perf_counter(); import gaitway; gaitway.Robot; took = time.perf_counter() - start\n"
+            "assert took < 0.3, took\nassert threading.active_count() == 1\nassert signal.getsignal(signal.SIGINT) is signal.default_int_handler\n"
+            "import sys; assert 'gymnasium' not in sys.modules")
+    took = [subprocess.run([sys.executable, "-c", code], check=False).returncode for _ in range(3)]
+    assert 0 in took
+
+
+def test_without_gymnasium():
+    code = ("import sys; sys.modules['gymnasium'] = None\nimport gaitway\ngaitway.Robot\n"
+            "try:\n    gaitway.Env\nexcept ImportError as error:\n    assert 'gaitway[gym]' in str(error)\nelse:\n    sys.exit(1)\n"
+            "try:\n    gaitway.make_vec\nexcept ImportError as error:\n    assert 'gaitway[gym]' in str(error)\nelse:\n    sys.exit(1)")
+    subprocess.run([sys.executable, "-c", code], check=True)
+
+
+def test_names_of_the_package():
+    with pytest.raises(AttributeError, match="no_such"):
+        gaitway.no_such
+    assert all(getattr(gaitway, name) is not None for name in gaitway.__all__)
+    assert gaitway.__version__ == "0.1.0"
