@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import itertools
 import json
 import signal
 import sys
@@ -91,6 +92,7 @@ def _run(options: argparse.Namespace) -> int:
     if options.plan:
         print(_plan(sweep, store, options.on))
         return EXIT_FINE
+    _check_first(sweep)
     prepare_folder(options.out)
     pool = pool_at(options.on)
     progress = Progress(len(sweep), options.out)
@@ -104,6 +106,15 @@ def _run(options: argparse.Namespace) -> int:
     write_whole(options.out / "sweep.json", json.dumps(_account(sweep, engine, table), indent=1) + "\n")
     print(_words(engine, table, options.out, left_out))
     return EXIT_FINE
+
+
+def _check_first(sweep: Sweep) -> None:
+    """What is wrong with all trials is told before any runs."""
+    for trial in itertools.islice(sweep.trials(), 1):
+        try:
+            kind_of(sweep.kind).check(trial.description)
+        except ValueError as error:
+            raise InputError(f"no trial can run: {error}") from error
 
 
 def _store(folder: Path | None) -> Store:

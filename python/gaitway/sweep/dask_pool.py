@@ -96,12 +96,14 @@ class DaskPool:
     # In the loop's thread from here on.
 
     async def _stay_connected(self) -> None:
+        from distributed.comm.core import CommClosedError
+
         while True:
             try:
-                async with self._distributed.Client(self._address, asynchronous=True, timeout=CONNECT_S) as client:
+                async with self._connect() as client:
                     self._client = client
                     await self._look(client)
-            except (OSError, TimeoutError, self._distributed.comm.CommClosedError) as error:
+            except (OSError, TimeoutError, CommClosedError) as error:
                 self._trouble = f"no scheduler answers at {self._address}: {error}"
             finally:
                 self._client = None
@@ -109,6 +111,10 @@ class DaskPool:
                 for task in list(self._tasks.values()):
                     task.cancel()
             await asyncio.sleep(LOOK_S)
+
+    def _connect(self) -> Any:
+        make: Any = self._distributed.Client
+        return make(self._address, asynchronous=True, timeout=CONNECT_S)
 
     async def _look(self, client: Any) -> None:
         """Until the scheduler has gone."""

@@ -29,7 +29,7 @@ def _serve(requests: Connection) -> None:
         except (EOFError, OSError):
             return
         try:
-            answer = {"reply": perform(request)}
+            answer: Json = {"reply": perform(request)}
         except Exception:
             answer = {"error": traceback.format_exc(limit=-4)}
         try:

@@ -27,7 +27,8 @@ def plot(groups: list[Group], measures: list[str], place: Path) -> None:
         axes.set_title(measure, fontsize=9)
         axes.set_xlabel(varied[0] if varied else "point", fontsize=8)
         for label, line in _lines(groups, measure, varied):
-            axes.errorbar(*zip(*line, strict=True), fmt="o-", markersize=3, linewidth=1, capsize=2, label=label)
+            at, mean, deviation = zip(*line, strict=True)
+            axes.errorbar(at, mean, deviation, fmt="o-", markersize=3, linewidth=1, capsize=2, label=label)
         if len(varied) > 1:
             axes.legend(title=varied[1], fontsize=6, title_fontsize=7)
     beside = place.with_name(f".{place.stem}.part.png")

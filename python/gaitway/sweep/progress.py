@@ -21,7 +21,8 @@ class Progress:
     def __init__(self, total: int, folder: Path, stream: TextIO = sys.stderr) -> None:
         self._total, self._place, self._stream = total, folder / "progress.json", stream
         self._began = time.monotonic()
-        self._shown = self._written = 0.0
+        self._shown = self._began
+        self._written = 0.0
         self._on_line = False
 
     def tell(self, news: str) -> None:

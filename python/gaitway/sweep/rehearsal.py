@@ -23,15 +23,19 @@ class Rehearsals:
     def probe(self) -> str:
         return str(self.run({"seed": 1, "rounds": 1000})["digest"])
 
-    def run(self, description: Json) -> Json:
+    def check(self, description: Json) -> None:
         rounds, sleep_s = description.get("rounds", 1), description.get("sleep_s", 0.0)
         if not (math.isfinite(rounds) and rounds >= 1 and math.isfinite(sleep_s) and sleep_s >= 0):
             raise ValueError(f"rounds {rounds}, sleep_s {sleep_s}: must be finite, and at least 1 and 0")
+
+    def run(self, description: Json) -> Json:
+        self.check(description)
+        sleep_s = description.get("sleep_s", 0.0)
         if sleep_s:
             time.sleep(sleep_s)
         start = ",".join(f"{name}={description[name]!r}" for name in sorted(description) if name != "sleep_s")
         digest = start.encode()
-        for _ in range(int(rounds)):
+        for _ in range(int(description.get("rounds", 1))):
             digest = hashlib.sha256(digest).digest()
         return {"value": int.from_bytes(digest[:4], "big") / 2**32, "digest": digest[:8].hex()}
 

@@ -96,7 +96,7 @@ class Source:
         """As YAML means it; numbers in it are finite."""
         loader = yaml.SafeLoader("")
         try:
-            value = loader.construct_object(self._node, deep=True)  # type: ignore[no-untyped-call]
+            value = loader.construct_object(self._node, deep=True)
         except yaml.YAMLError as error:
             self.refuse(f"cannot be read: {error}")
         finally:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -33,7 +33,7 @@ class Sweep:
     """`axes`: what is combined besides the points, by the column's name; one value alone has no column."""
 
     kind: str
-    axes: dict[str, tuple[Any, ...]]
+    axes: dict[str, Sequence[Any]]
     design: Design
     constant: Json  # of every trial
     scenarios: dict[str, list[Json]]
@@ -117,7 +117,7 @@ def _robot_sweep(root: Source, fields: dict[str, Source], design: Design, measur
     for name in design.parameters:
         if "." in name and (why := check_parameter(name)):
             fields["parameters"].fields()[name].refuse(why)
-    axes: dict[str, tuple[Any, ...]] = {
+    axes: dict[str, Sequence[Any]] = {
         "robot": _names(fields.get("robots"), "robot", "humanoid22", beside, found),
         "config": _names(fields.get("configs"), "config", "walk", beside, found),
         "world": _names(fields.get("worlds"), "world", None, beside, found),

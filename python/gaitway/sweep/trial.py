@@ -28,6 +28,9 @@ class TrialKind(Protocol):
     def probe(self) -> str:
         """Digest of a short run that is always the same: equal on all computers whose results may be mixed."""
 
+    def check(self, description: Json) -> None:
+        """ValueError where run() could only fail; quickly."""
+
     def run(self, description: Json) -> Json:
         """The result; equal to the bit wherever code() and probe() are equal.
 

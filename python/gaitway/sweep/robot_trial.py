@@ -1,0 +1,230 @@
+"""A trial of the simulated robot: what is asked of it and done to it, and the figures of a run's summary that come of it."""
+
+from __future__ import annotations
+
+import math
+import os
+import re
+import sys
+import time
+from collections.abc import Mapping
+from functools import lru_cache
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from .canonical import Json, files_hash
+from .complaint import InputError, UnfitWorkerError
+from .walk_metrics import WalkMetrics
+
+if TYPE_CHECKING:
+    from gaitway import Robot
+
+MEASURES = (
+    "survived", "fell_at_s", "distance_m", "mean_speed_m_s", "mean_side_speed_m_s", "lateral_drift_m", "heading_drift_rad",
+    "commanded_m", "commanded_and_done_m", "tilt_max_rad", "tilt_rms_rad", "handed_over", "late", "refused", "tail_played",
+    "faults", "digest",
+)
+SHIPPED = {"robot": ("urdf", "robot.yaml"), "config": ("config", ".yaml"), "world": ("worlds", ".yaml")}
+PARAMETER = re.compile(r"[A-Za-z_]\w*\.[A-Za-z_]\w*")
+AFTER_FALL_S = 1.0
+SAMPLE_MS = 10
+FIRST_SAMPLE_MS = 1  # a millisecond after a tick, as in a run's summary
+PROBE_S = 1.2
+
+
+class RobotTrials:
+    """What a worker and the client have in common about the robot's trials."""
+
+    measures = MEASURES
+
+    def __init__(self) -> None:
+        """InputError where the simulator is not installed."""
+        try:
+            import gaitway._native
+        except ImportError as error:
+            raise InputError(f"trials of the robot need Gaitway's simulator: {error}. Install the wheel") from error
+        self._pace = 0.0  # seconds of this computer for one of the robot's
+
+    @lru_cache(maxsize=None)  # noqa: B019: one instance lives as long as the process
+    def code(self) -> str:
+        return files_hash(_own_files())
+
+    @lru_cache(maxsize=None)  # noqa: B019
+    def probe(self) -> str:
+        from gaitway import Robot
+
+        began = time.perf_counter()
+        with Robot(seed=1) as robot:
+            robot.walk(0.15)
+            robot.run(PROBE_S)
+            self._pace = (time.perf_counter() - began) / PROBE_S
+            return robot.digest
+
+    def expected_s(self, description: Json) -> float:
+        self.probe()
+        return float(description["seconds"]) * self._pace
+
+    def check(self, description: Json) -> None:
+        """ValueError where the robot cannot be made so."""
+        _robot(description).close()
+
+    def run(self, description: Json) -> Json:
+        with _robot(description) as robot:
+            metrics = _let_run(robot, description["events"], float(description["seconds"]))
+            return {**metrics.measures(), **_account(robot)}
+
+
+def describe(
+    *,
+    robot: str,
+    config: str,
+    world: str | None,
+    world_seed: int | None,
+    conditions: Any,
+    mismatch: float,
+    seed: int,
+    seconds: float,
+    parameters: Json,
+    events: list[Json],
+) -> Json:
+    """A trial's description. `robot`, `config`, `world`: as found() gives them; their contents are part of it."""
+    return {
+        "robot": robot,
+        "robot_digest": content_of("robot", robot),
+        "config": config,
+        "config_digest": content_of("config", config),
+        "world": world,
+        "world_digest": None if world is None else content_of("world", world),
+        "world_seed": world_seed,
+        "conditions": conditions,
+        "mismatch": mismatch,
+        "seed": seed,
+        "seconds": seconds,
+        "parameters": parameters,
+        "events": sorted(events, key=lambda event: float(event["at_s"])),
+    }
+
+
+def check_parameter(name: str) -> str:
+    """What is wrong with a parameter's name; empty: nothing."""
+    return "" if PARAMETER.fullmatch(name) else "must be PLUGIN.PARAMETER, for example trajectory.lift"
+
+
+def found(what: str, name: str, beside: Path) -> str | None:
+    """The name of a shipped one, or the absolute path of one beside the sweep's file; None: there is none."""
+    if "/" not in name and _shipped_place(what, name).exists():
+        return name
+    path = (beside / name).resolve()
+    there = (path / "robot.yaml").is_file() if what == "robot" else path.is_file()
+    return str(path) if there else None
+
+
+def content_of(what: str, name: str) -> str:
+    """Of a robot's folder, a configuration or a world. UnfitWorkerError where this computer has none."""
+    place = Path(name) if "/" in name else _shipped_place(what, name)
+    if what == "robot" and place.name == "robot.yaml":
+        place = place.parent
+    files = sorted(file for file in place.rglob("*") if file.is_file()) if place.is_dir() else [place]
+    try:
+        stamps = tuple((str(file), file.stat().st_size, file.stat().st_mtime_ns) for file in files)
+        return _content(str(place), stamps)
+    except OSError as error:
+        raise UnfitWorkerError(f"has no {what} {name}: {error.strerror}. Share the folder, or copy it there") from error
+
+
+@lru_cache(maxsize=256)
+def _content(place: str, stamps: tuple[tuple[str, int, int], ...]) -> str:
+    return files_hash({os.path.relpath(file, place): Path(file) for file, _, _ in stamps})
+
+
+def _shipped_place(what: str, name: str) -> Path:
+    from gaitway import _native
+
+    folder, file = SHIPPED[what]
+    root = Path(_native.installation_root()) / "share" / "gaitway" / folder
+    if what == "robot":
+        return root / name / file
+    return root / (name if name.endswith(file) else name + file)
+
+
+def _own_files() -> dict[str, Path]:
+    """The simulator, its libraries (the C library's mathematics among them), the plug-ins, and what computes the figures."""
+    from gaitway import _native
+
+    root = Path(_native.installation_root())
+    here = Path(__file__)
+    files = [here, here.with_name("walk_metrics.py"), *sorted((root / "lib" / "gaitway").rglob("*.so*"))]
+    python = (Path(sys.base_prefix).resolve() / "lib" / f"python{sys.version_info[0]}.{sys.version_info[1]}", Path(sys.prefix))
+    with open("/proc/self/maps", encoding="utf-8") as maps:
+        mapped = {Path(line.split(maxsplit=5)[5].strip()) for line in maps if ".so" in line and " /" in line}
+    package = here.parent.parent
+    files += [
+        file for file in mapped
+        if file.is_file() and (file.is_relative_to(package) or not any(file.is_relative_to(place) for place in python))
+        and not file.name.startswith("libpython")
+    ]
+    return {file.name: file for file in files if file.is_file()}
+
+
+def _robot(description: Json) -> Robot:
+    """ValueError where nobody can make it, UnfitWorkerError where this computer cannot."""
+    from gaitway import PluginError, Robot
+
+    for what in ("robot", "config", "world"):
+        name = description[what]
+        if name is not None and content_of(what, name) != description[f"{what}_digest"]:
+            raise UnfitWorkerError(f"its {what} {name} is another than the client's. Share the folder, or copy it there")
+    parameters: dict[str, dict[str, Any]] = {}
+    for name, value in description["parameters"].items():
+        plugin, _, parameter = name.partition(".")
+        parameters.setdefault(plugin, {})[parameter] = value
+    try:
+        return Robot(
+            description["robot"],
+            description["config"],
+            seed=description["seed"],
+            world=description["world"],
+            world_seed=description["world_seed"],
+            mismatch=description["mismatch"],
+            conditions=description["conditions"],
+            parameters=parameters,
+            navigation=any("walk_to" in event for event in description["events"]),
+        )
+    except PluginError as error:
+        raise ValueError(str(error)) from error
+
+
+def _let_run(robot: Robot, events: list[Json], seconds: float) -> WalkMetrics:
+    """To the end, or to a second after a fall."""
+    metrics = WalkMetrics()
+    waiting = list(events)
+    now_ms, end_ms, next_sample_ms = 0, round(seconds * 1e3), FIRST_SAMPLE_MS
+    while now_ms < end_ms:
+        while waiting and float(waiting[0]["at_s"]) <= now_ms * 1e-3 + 1e-9:
+            event = {name: value for name, value in waiting.pop(0).items() if name != "at_s"}
+            robot.apply(event)
+            metrics.on_event(event, now_ms)
+        until_ms = min(end_ms, next_sample_ms)
+        if waiting:
+            until_ms = min(until_ms, max(now_ms + 1, math.ceil(float(waiting[0]["at_s"]) * 1e3 - 1e-6)))
+        robot.run((until_ms - now_ms) * 1e-3)
+        now_ms = until_ms
+        if now_ms == next_sample_ms:
+            next_sample_ms += SAMPLE_MS
+            truth = robot.truth()
+            metrics.add(now_ms, truth.base_m, truth.base_rpy_rad[2], truth.tilt_rad, fallen=robot.fallen)
+        if metrics.fell_at_s is not None:
+            end_ms = min(end_ms, round((metrics.fell_at_s + AFTER_FALL_S) * 1e3))
+    return metrics
+
+
+def _account(robot: Robot) -> Mapping[str, Any]:
+    batches = robot.batches()
+    return {
+        "handed_over": batches.handed_over,
+        "late": batches.late,
+        "refused": batches.refused,
+        "tail_played": batches.tail_played,
+        "faults": sum(plugin.faults for plugin in robot.faults()),
+        "digest": robot.digest,
+    }
