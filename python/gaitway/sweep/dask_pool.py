@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import asyncio
 import itertools
+import logging
 import queue
 import threading
 import time
@@ -83,6 +84,7 @@ class DaskPool:
         return self._trouble
 
     def __enter__(self) -> Self:
+        logging.getLogger("distributed.client").setLevel(logging.CRITICAL)  # what it would say, trouble() says
         self._thread.start()
         self._connection = asyncio.run_coroutine_threadsafe(self._stay_connected(), self._loop)
         return self
@@ -138,10 +140,12 @@ class DaskPool:
             task.cancel()
 
     async def _follow(self, ticket: int, worker: str, request: Json) -> None:
-        report = Report(ticket)
+        report, client = Report(ticket), self._client
         try:
-            if self._client is not None:
-                future = self._client.submit(
+            if not self._is_connected(client):
+                await asyncio.sleep(LOOK_S)  # until members() knows it, too
+            else:
+                future = client.submit(
                     perform_on_dask,
                     request,
                     key=f"gaitway-{uuid4().hex}",
@@ -152,15 +156,19 @@ class DaskPool:
                 report = Report(ticket, reply=await future)
         except (asyncio.CancelledError, self._distributed.CancelledError, self._distributed.KilledWorker, OSError):
             pass  # the worker has gone, or the scheduler
-        except Exception as error:
-            report = Report(ticket, error=f"{type(error).__name__}: {error}")
+        except Exception as error:  # the trial's, or of a client whose scheduler has gone meanwhile
+            if self._is_connected(client):
+                report = Report(ticket, error=f"{type(error).__name__}: {error}")
         finally:
             del self._tasks[ticket]
             self._reports.put(report)
+
+    def _is_connected(self, client: Any) -> bool:
+        return client is not None and client is self._client and client.status == "running"
 
     async def _close(self) -> None:
         self._connection.cancel()
         for task in list(self._tasks.values()):
             task.cancel()
-        while self._tasks or self._client is not None:
+        while len(asyncio.all_tasks()) > 1:  # but this one
             await asyncio.sleep(0.01)

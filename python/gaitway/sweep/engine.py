@@ -109,7 +109,7 @@ class Engine:
         for name in gone:
             for ticket in [ticket for ticket, request in self._in_flight.items() if request.worker == name]:
                 self._pool.abandon(ticket)
-                self._lose(ticket)
+                self._lose(ticket, died=True)
         for name in new:
             self._send(name, [], again=False)
 
@@ -160,7 +160,7 @@ class Engine:
         if report.ticket not in self._in_flight:
             return
         if report.reply is None and report.error is None:
-            self._lose(report.ticket)
+            self._lose(report.ticket, died=report.died)
             return
         request = self._in_flight[report.ticket]
         if report.error is not None:
@@ -210,11 +210,11 @@ class Engine:
             self._pool.abandon(one)
             self._give_again(self._in_flight.pop(one))
 
-    def _lose(self, ticket: int) -> None:
+    def _lose(self, ticket: int, *, died: bool) -> None:
         request = self._in_flight[ticket]
         older = sum(1 for one, other in self._in_flight.items() if other.worker == request.worker and one < ticket)
         member = self.crew.member(request.worker)
-        if request.trials and older < (member.at_once if member else 1):  # it ran, the others waited
+        if died and request.trials and older < (member.at_once if member else 1):  # it ran, the others waited
             self._note_death(request.trials)
         del self._in_flight[ticket]
         self._give_again(request)

@@ -117,4 +117,4 @@ class LocalPool:
         ticket, worker.ticket = worker.ticket, None
         if ticket is None:
             return None
-        return Report(ticket) if answer is None else Report(ticket, answer.get("reply"), answer.get("error"))
+        return Report(ticket, died=True) if answer is None else Report(ticket, answer.get("reply"), answer.get("error"))

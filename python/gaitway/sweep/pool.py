@@ -20,11 +20,12 @@ class Member:
 
 @dataclass(frozen=True)
 class Report:
-    """Of one request: a reply, or `error` with what was raised, or neither: the worker has gone."""
+    """Of one request: a reply, or `error` with what was raised, or neither: it is lost, `died`: with its worker."""
 
     ticket: int
     reply: Json | None = None
     error: str | None = None
+    died: bool = False
 
 
 class Pool(Protocol):

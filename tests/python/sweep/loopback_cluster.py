@@ -1,0 +1,122 @@
+"""A Dask cluster on loopback whose parts are processes that a test may kill, stop and start again by their ids."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import pathlib
+import signal
+import socket
+import subprocess
+import sys
+import time
+
+PACKAGE = pathlib.Path(__file__).resolve().parents[3] / "python"
+
+
+def free_port() -> int:
+    with socket.socket() as one:
+        one.bind(("127.0.0.1", 0))
+        return one.getsockname()[1]
+
+
+def environment(**more: str) -> dict[str, str]:
+    """The package of this tree, unless another one is in the path already."""
+    path = os.environ.get("PYTHONPATH") or str(PACKAGE)
+    return {**os.environ, "PYTHONPATH": path, "DASK_DISTRIBUTED__DASHBOARD__LINK": "", **more}
+
+
+class Cluster:
+    """`scheduler`, `workers`: processes, which may be replaced."""
+
+    def __init__(self, folder: pathlib.Path) -> None:
+        self.folder, self.port = folder, free_port()
+        self.address = f"127.0.0.1:{self.port}"
+        self.processes: list[subprocess.Popen[bytes]] = []
+        self.scheduler = self.start_scheduler()
+        self.workers: list[subprocess.Popen[bytes]] = []
+
+    def start_scheduler(self) -> subprocess.Popen[bytes]:
+        self.scheduler = self._start("scheduler", "--host", "127.0.0.1", "--port", str(self.port), "--no-dashboard")
+        return self.scheduler
+
+    def start_worker(self, **more: str) -> subprocess.Popen[bytes]:
+        worker = self._start(
+            "worker", f"tcp://{self.address}", "--host", "127.0.0.1", "--nthreads", "1", "--no-nanny", "--no-dashboard",
+            "--local-directory", str(self.folder / "scratch"), **more,
+        )
+        self.workers.append(worker)
+        return worker
+
+    def make_whole(self) -> None:
+        """A scheduler and two workers, whatever has died."""
+        if self.scheduler.poll() is not None:
+            self.start_scheduler()
+        self.workers = [worker for worker in self.workers if worker.poll() is None]
+        while len(self.workers) < 2:
+            self.start_worker()
+
+    def _start(self, what: str, *arguments: str, **more: str) -> subprocess.Popen[bytes]:
+        self.folder.mkdir(parents=True, exist_ok=True)
+        with (self.folder / f"{what}.log").open("ab") as log:
+            process = subprocess.Popen(
+                [sys.executable, "-m", "dask", what, *arguments],
+                env=environment(**more), stdout=log, stderr=log,
+            )
+        self.processes.append(process)
+        return process
+
+    def __enter__(self) -> Cluster:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        for process in self.processes:
+            with contextlib.suppress(ProcessLookupError):
+                process.send_signal(signal.SIGCONT)
+                process.kill()
+        for process in self.processes:
+            process.wait()
+
+
+class SweepRun:
+    """A sweep as a process of its own, with its folder."""
+
+    def __init__(self, file: pathlib.Path, on: str, out: pathlib.Path, store: pathlib.Path, *options: str) -> None:
+        self.out = out
+        out.mkdir(parents=True, exist_ok=True)
+        self.log = out / "log.txt"
+        with self.log.open("ab") as log:
+            self.process = subprocess.Popen(
+                [sys.executable, "-m", "gaitway.sweep.command", str(file), "--on", on, "--out", str(out), "--store", str(store),
+                 *options],
+                env=environment(), stdout=log, stderr=log,
+            )
+
+    def known(self) -> int:
+        """Whole lines of the partial table."""
+        with contextlib.suppress(FileNotFoundError):
+            return max(0, (self.out / "partial.csv").read_bytes().count(b"\n") - 1)
+        return 0
+
+    def wait_for(self, trials: int, timeout_s: float = 60.0) -> None:
+        end = time.monotonic() + timeout_s
+        while self.known() < trials:
+            if time.monotonic() > end or self.process.poll() is not None:
+                raise AssertionError(f"{self.known()} of {trials} trials: {self.log.read_text()}")
+            time.sleep(0.02)
+
+    def finish(self, timeout_s: float = 120.0) -> int:
+        try:
+            return self.process.wait(timeout_s)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            self.process.wait()
+            raise AssertionError(f"the sweep does not end: {self.log.read_text()}") from None
+
+    def account(self) -> dict[str, object]:
+        return json.loads((self.out / "sweep.json").read_text())
+
+
+def stored(store: pathlib.Path) -> int:
+    return sum(1 for _ in store.glob("??/*.json"))
