@@ -147,6 +147,15 @@ class Robot:
         return self._run.seed
 
     @property
+    def hip_height_m(self) -> float:
+        """Of the hip axes above the soles, in the stand."""
+        return self._setup.hip_height_m
+
+    @property
+    def mass_kg(self) -> float:
+        return self._setup.mass_kg
+
+    @property
     def plugins_taken_out(self) -> list[str]:
         """Whose topics are written from outside."""
         return self._setup.plugins_taken_out

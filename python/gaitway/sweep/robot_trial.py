@@ -121,15 +121,21 @@ def found(what: str, name: str, beside: Path) -> str | None:
 
 def content_of(what: str, name: str) -> str:
     """Of a robot's folder, a configuration or a world. UnfitWorkerError where this computer has none."""
-    place = Path(name) if "/" in name else _shipped_place(what, name)
-    if what == "robot" and place.name == "robot.yaml":
-        place = place.parent
+    place = place_of(what, name)
     files = sorted(file for file in place.rglob("*") if file.is_file()) if place.is_dir() else [place]
     try:
         stamps = tuple((str(file), file.stat().st_size, file.stat().st_mtime_ns) for file in files)
         return _content(str(place), stamps)
     except OSError as error:
         raise UnfitWorkerError(f"has no {what} {name}: {error.strerror}. Share the folder, or copy it there") from error
+
+
+def place_of(what: str, name: str) -> Path:
+    """A robot's folder, or a file."""
+    if "/" in name:
+        return Path(name)
+    place = _shipped_place(what, name)
+    return place.parent if what == "robot" else place
 
 
 @lru_cache(maxsize=256)
