@@ -75,7 +75,8 @@ def tune(plan: Plan, tried: Tried, engine: Engine, state: Path, tell: Callable[[
 
     about = {**plan.about(), "trials": trials[0].key}
     found = search(len(plan.numbers), plan.generations, plan.population, plan.seed, about, state, evaluate)
-    centre_cost = evaluate(plan.generations - 1, [found.centre])[0]
+    centre = list(tried.trials(parameters(plan.numbers, found.centre), plan.training))
+    centre_cost = cost(usual, _results(engine, tried, [centre])[0])
     chosen, training_cost = (found.centre, centre_cost) if centre_cost < found.best_cost else (found.best, found.best_cost)
     values = parameters(plan.numbers, chosen) if training_cost < 0 else {}
     both = _results(engine, tried, [list(tried.trials(one, plan.held_out)) for one in ({}, values)])

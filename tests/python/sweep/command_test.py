@@ -1,0 +1,109 @@
+"""`gaitway sweep` as people use it: results, what is known, a plan, a worker that dies, bad input, exit codes."""
+
+from __future__ import annotations
+
+import csv
+import json
+import os
+import pathlib
+import signal
+import time
+
+import pytest
+from loopback_cluster import SweepRun, stored
+
+from gaitway.sweep import command
+
+SWEEP = "trial: rehearsal\nseeds: 1..15\nparameters: {rounds: [10, 20]}\n"
+SLOW = "trial: rehearsal\nseeds: 1..30\nparameters: {sleep_s: [0.1]}\n"
+
+
+@pytest.fixture
+def file(tmp_path: pathlib.Path) -> pathlib.Path:
+    place = tmp_path / "sweep.yaml"
+    place.write_text(SWEEP)
+    return place
+
+
+def test_a_repeated_sweep_runs_nothing_and_says_the_same(file: pathlib.Path, tmp_path: pathlib.Path) -> None:
+    for out, ran in (("first", 30), ("second", 0)):
+        run = SweepRun(file, "local:2", tmp_path / out, tmp_path / "store")
+        assert run.finish() == 0, run.log.read_text()
+        assert run.account()["ran"] == ran
+    assert (tmp_path / "first/results.csv").read_bytes() == (tmp_path / "second/results.csv").read_bytes()
+    rows = list(csv.DictReader((tmp_path / "first/results.csv").open()))
+    assert [int(row["trial"]) for row in rows] == list(range(30))
+    assert "| 10 | 15 |" in (tmp_path / "first/results.md").read_text()
+    assert json.loads((tmp_path / "first/progress.json").read_text())["ended"] is True
+    assert not (tmp_path / "first/partial.csv").exists()
+
+
+def test_a_local_worker_that_is_killed_is_replaced(tmp_path: pathlib.Path) -> None:
+    slow = tmp_path / "slow.yaml"
+    slow.write_text(SLOW)
+    run = SweepRun(slow, "local:2", tmp_path / "out", tmp_path / "store")
+    run.wait_for(3)
+    children = pathlib.Path(f"/proc/{run.process.pid}/task/{run.process.pid}/children").read_text().split()
+    workers = [int(child) for child in children if "spawn_main" in pathlib.Path(f"/proc/{child}/cmdline").read_text()]
+    os.kill(workers[0], signal.SIGKILL)
+    assert run.finish() == 0, run.log.read_text()
+    assert "has gone" in run.log.read_text()
+    assert stored(tmp_path / "store") == 30
+
+
+def test_local_workers_end_with_their_client(tmp_path: pathlib.Path) -> None:
+    slow = tmp_path / "slow.yaml"
+    slow.write_text(SLOW)
+    run = SweepRun(slow, "local:2", tmp_path / "out", tmp_path / "store")
+    run.wait_for(3)
+    children = pathlib.Path(f"/proc/{run.process.pid}/task/{run.process.pid}/children").read_text().split()
+    run.process.kill()
+    run.process.wait()
+    end = time.monotonic() + 20
+    while any(pathlib.Path(f"/proc/{child}").exists() for child in children):
+        assert time.monotonic() < end, "workers live on"
+        time.sleep(0.05)
+
+
+def test_a_plan_runs_nothing(file: pathlib.Path, tmp_path: pathlib.Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert command.main([str(file), "--plan", "--store", str(tmp_path / "store"), "--out", str(tmp_path / "out")]) == 0
+    said = capsys.readouterr().out
+    assert said.startswith("30 trials: 15 seed")
+    assert "nothing was run" in said
+    assert stored(tmp_path / "store") == 0
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "complaint"),
+    [
+        (["none.yaml"], "none.yaml: No such file"),
+        (["FILE", "--on", "ray://here"], "--on ray://here: is no place for trials. There are: local, local:N"),
+        (["FILE", "--on", "local:0"], "--on local:0"),
+        (["FILE", "--out", "/proc/none"], "--out /proc/none"),
+        (["FILE", "--patience", "nan"], "--patience nan"),
+    ],
+)
+def test_bad_input_ends_with_1(
+    arguments: list[str], complaint: str, file: pathlib.Path, tmp_path: pathlib.Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    line = [str(file) if word == "FILE" else word for word in arguments]
+    assert command.main([*line, "--store", str(tmp_path / "store")]) == 1
+    assert complaint in capsys.readouterr().err
+    assert stored(tmp_path / "store") == 0
+
+
+def test_a_trial_that_nobody_can_run_is_a_result(tmp_path: pathlib.Path) -> None:
+    place = tmp_path / "sweep.yaml"
+    place.write_text("trial: rehearsal\nseeds: 1..3\nparameters: {rounds: [5, -1]}\n")
+    run = SweepRun(place, "local:1", tmp_path / "out", tmp_path / "store")
+    assert run.finish() == 0, run.log.read_text()
+    rows = list(csv.DictReader((tmp_path / "out/results.csv").open()))
+    assert [bool(row["error"]) for row in rows] == [False] * 3 + [True] * 3
+
+
+def test_no_scheduler_is_said_in_time(file: pathlib.Path, tmp_path: pathlib.Path) -> None:
+    pytest.importorskip("distributed")
+    run = SweepRun(file, "dask://127.0.0.1:9", tmp_path / "out", tmp_path / "store", "--patience", "2")
+    assert run.finish() == 3
+    assert "no scheduler answers at tcp://127.0.0.1:9" in run.log.read_text()
