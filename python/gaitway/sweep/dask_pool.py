@@ -49,7 +49,7 @@ class DaskPool:
         self._distributed = distributed
         self._address = address if "://" in address else f"tcp://{address}"
         self._members: dict[str, Member] = {}
-        self._trouble = f"no scheduler answers at {address} yet"
+        self._trouble = f"no scheduler answers at {self._address}"
         self._reports: queue.SimpleQueue[Report] = queue.SimpleQueue()
         self._tickets = itertools.count(1)
         self._tasks: dict[int, asyncio.Task[None]] = {}
@@ -59,7 +59,7 @@ class DaskPool:
         self._thread = threading.Thread(target=self._loop.run_forever, name="dask", daemon=True)
 
     def members(self) -> Mapping[str, Member]:
-        return dict(self._members)
+        return dict(self._members) if self._is_connected(self._client) else {}
 
     def submit(self, worker: str, request: Json) -> int:
         ticket = next(self._tickets)
@@ -101,10 +101,11 @@ class DaskPool:
         from distributed.comm.core import CommClosedError
 
         while True:
+            client = self._connect()
             try:
-                async with self._connect() as client:
-                    self._client = client
-                    await self._look(client)
+                await client
+                self._client = client
+                await self._look(client)
             except (OSError, TimeoutError, CommClosedError) as error:
                 self._trouble = f"no scheduler answers at {self._address}: {error}"
             finally:
@@ -112,6 +113,7 @@ class DaskPool:
                 self._members = {}
                 for task in list(self._tasks.values()):
                     task.cancel()
+                await client.close()
             await asyncio.sleep(LOOK_S)
 
     def _connect(self) -> Any:
@@ -122,10 +124,14 @@ class DaskPool:
         """Until the scheduler has gone."""
         heard = time.monotonic()
         while client.status == "running":
-            try:
-                threads: dict[str, int] = await asyncio.wait_for(client.nthreads(), SILENCE_S)
-            except TimeoutError:
-                raise TimeoutError(f"silent for {time.monotonic() - heard:.0f} s") from None
+            asked = asyncio.ensure_future(client.nthreads())
+            while not asked.done():
+                await asyncio.wait({asked}, timeout=LOOK_S)
+                silent = time.monotonic() - heard > SILENCE_S
+                if not asked.done() and (silent or client.status != "running"):
+                    asked.cancel()
+                    raise TimeoutError(f"silent for {time.monotonic() - heard:.0f} s")
+            threads: dict[str, int] = asked.result()
             heard = time.monotonic()
             self._trouble = "" if threads else f"the scheduler at {self._address} has no workers"
             self._members = {name: Member(at_once=count, queue=2 * count) for name, count in threads.items()}
