@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from gaitway._errors import (BusyError, ClosedError, ForkError, InputError, NothingPublished, PluginError,
                                  TopicError, UnknownTopic)
     from gaitway._rewards import Reward, Transition, follow_command
-    from gaitway._robot import Event, Fault, Robot, Snapshot, Truth
+    from gaitway._robot import Batches, Event, Fault, Robot, Snapshot, Truth
     from gaitway._topics import Field, Topic, topics
     from gaitway._vec import VecEnv, make_vec
 
@@ -32,14 +32,14 @@ _PLACES = {
     "_errors": ("BusyError", "ClosedError", "ForkError", "InputError", "NothingPublished", "PluginError", "TopicError",
                 "UnknownTopic"),
     "_rewards": ("Reward", "Transition", "follow_command"),
-    "_robot": ("Event", "Fault", "Robot", "Snapshot", "Truth"),
+    "_robot": ("Batches", "Event", "Fault", "Robot", "Snapshot", "Truth"),
     "_topics": ("Field", "Topic", "topics"),
     "_vec": ("VecEnv", "make_vec"),
 }
 _MODULE_OF = {name: module for module, names in _PLACES.items() for name in names}
 
 __all__ = [
-    "CYCLE_S", "Action", "BusyError", "ClosedError", "Env", "Event", "Fault", "Field", "ForkError", "InputError",
+    "CYCLE_S", "Action", "Batches", "BusyError", "ClosedError", "Env", "Event", "Fault", "Field", "ForkError", "InputError",
     "JointPlanAction", "NothingPublished", "PluginError", "Reward", "Robot", "Snapshot", "Topic", "TopicAction",
     "TopicError", "Transition", "Truth", "UnknownTopic", "VecEnv", "WalkAction", "follow_command", "make_vec", "topics",
 ]

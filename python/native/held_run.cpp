@@ -53,6 +53,7 @@ RobotRun& HeldRun::begin_use() {
 Use::Use(std::span<HeldRun* const> runs) {
   try {
     for (HeldRun* const run : runs) {
+      if (run == nullptr) throw std::invalid_argument("None where a robot is wanted");
       runs_.push_back(&run->begin_use());
       held_.push_back(run);
     }

@@ -22,6 +22,9 @@ namespace nb = nanobind;
 using namespace nb::literals;
 
 namespace gaitway::python {
+
+void bind(nb::module_& module);
+
 namespace {
 
 constexpr std::int64_t kLongestAdvance_ms = 86'400'000;
@@ -346,8 +349,7 @@ void bind_run(nb::module_& module) {
 
 }  // namespace
 
-// NOLINTNEXTLINE(bugprone-*,cppcoreguidelines-*): what the macro makes
-NB_MODULE(_native, module) {
+void bind(nb::module_& module) {
   module.attr("__version__") = GAITWAY_VERSION;
   module.def("topics", &topics);
   module.def("installation_root", [] { return process::installation_root().string(); });
@@ -357,3 +359,7 @@ NB_MODULE(_native, module) {
 }
 
 }  // namespace gaitway::python
+
+NB_MODULE(_native, module) {
+  gaitway::python::bind(module);
+}

@@ -24,34 +24,34 @@ def robot():
 @pytest.mark.parametrize(("call", "error", "tells"), [
     (lambda r: r.run(NAN), ValueError, "finite"),
     (lambda r: r.run(-1.0), ValueError, "negative"),
-    (lambda r: r.run("1"), TypeError, ""),
-    (lambda r: r.walk(NAN), ValueError, ""),
+    (lambda r: r.run("1"), TypeError, None),
+    (lambda r: r.walk(NAN), ValueError, None),
     (lambda r: r.walk(9.0), ValueError, "walk"),
-    (lambda r: r.walk("fast"), ValueError, ""),
+    (lambda r: r.walk("fast"), ValueError, None),
     (lambda r: r.push("trunkk", (1, 0, 0)), ValueError, "Did you mean"),
     (lambda r: r.push(r.links[0], (1, 0)), ValueError, "three"),
     (lambda r: r.push(r.links[0], (NAN, 0, 0)), ValueError, "finite"),
     (lambda r: r.push(r.links[0], (0, 0, 0)), ValueError, "no direction"),
     (lambda r: r.push(r.links[0], (1e9, 0, 0)), ValueError, "impulse"),
     (lambda r: r.apply("wlak: [1, 0, 0]"), ValueError, "Did you mean 'walk'"),
-    (lambda r: r.apply("{"), ValueError, ""),
+    (lambda r: r.apply("{"), ValueError, None),
     (lambda r: r.apply({"fault": {"kind": "plugin_fails", "plugin": "zpm", "how": "throws"}}), ValueError, "zmp"),
-    (lambda r: r.apply(3), TypeError, ""),
+    (lambda r: r.apply(3), TypeError, None),
     (lambda r: r.write("walk_request", {"velocity": [NAN, 0.0]}), ValueError, r"velocity\[0\] = nan"),
     (lambda r: r.write("walk_request", {"velocity": [INFINITE, 0.0]}), ValueError, "within"),
     (lambda r: r.write("walk_request", {"velocity": [99.0, 0.0]}), ValueError, "within"),
     (lambda r: r.write("walk_request", {"velocity": [1.0]}), ValueError, "shape"),
     (lambda r: r.write("walk_request", {"velocity": "ab"}), ValueError, "shape"),
     (lambda r: r.write("walk_request", {"walk": 0.5}), TypeError, "uint32"),
-    (lambda r: r.write("walk_request", {"walk": -1}), (TypeError, ValueError), ""),
-    (lambda r: r.write("walk_request", {"walk": 2**40}), (TypeError, ValueError), ""),
+    (lambda r: r.write("walk_request", {"walk": -1}), (TypeError, ValueError), None),
+    (lambda r: r.write("walk_request", {"walk": 2**40}), (TypeError, ValueError), None),
     (lambda r: r.write("walk_request", np.zeros(3)), TypeError, "mapping"),
     (lambda r: r.write("walk_request", r.topic("imu")), TypeError, "dtype"),
     (lambda r: r.write("estimate", {}), gaitway.TopicError, "zmp"),
     (lambda r: r.write("motion_request", {"name": "x" * 500}), ValueError, "room"),
     (lambda r: r.restart(-1), ValueError, "seed"),
-    (lambda r: r.restart(1.5), TypeError, ""),
-    (lambda r: r.restore(None), TypeError, ""),
+    (lambda r: r.restart(1.5), TypeError, None),
+    (lambda r: r.restore(None), TypeError, None),
     (lambda r: r.topic("walk_to_request"), gaitway.NothingPublished, "nothing"),
     (lambda r: r.__reduce__(), TypeError, "pickled"),
 ])
@@ -71,7 +71,7 @@ def test_calls(robot, call, error, tells):
     ({"world_seed": 1}, ValueError, "world"),
     ({"seed": -1}, ValueError, "seed"),
     ({"seed": 2**64}, ValueError, "seed"),
-    ({"seed": 1.5}, TypeError, ""),
+    ({"seed": 1.5}, TypeError, None),
     ({"mismatch": NAN}, ValueError, "mismatch"),
     ({"mismatch": 11}, ValueError, "mismatch"),
     ({"conditions": {"slope": 3}}, ValueError, "slope"),
@@ -158,11 +158,10 @@ def test_a_crashing_plugin_is_refused_by_name():
 
 
 def test_import_is_quick_and_does_nothing():
-    code = ("import threading, signal, time; start = time.perf_counter(); import gaitway; gaitway.Robot; took = time.perf_counter() - start\n"
+    code = ("import threading, signal, time; start = time.process_time(); import gaitway; gaitway.Robot; took = time.process_time() - start\n"
             "assert took < 0.3, took\nassert threading.active_count() == 1\nassert signal.getsignal(signal.SIGINT) is signal.default_int_handler\n"
             "import sys; assert 'gymnasium' not in sys.modules")
-    took = [subprocess.run([sys.executable, "-c", code], check=False).returncode for _ in range(3)]
-    assert 0 in took
+    subprocess.run([sys.executable, "-c", code], check=True)
 
 
 def test_without_gymnasium():

@@ -150,7 +150,7 @@ def shared_env():
 
 @pytest.mark.parametrize(("arguments", "error", "tells"), [
     ({"action": "wlak"}, KeyError, "walk"), ({"observation": ["estimat"]}, KeyError, "estimate"),
-    ({"observation": ["estimate.cmo"]}, KeyError, "com"), ({"observation": []}, ValueError, "list"),
+    ({"observation": ["estimate.comm"]}, KeyError, "com"), ({"observation": []}, ValueError, "list"),
     ({"observation": "estimate"}, ValueError, "list"), ({"reward": 3}, TypeError, "callable"), ({"episode_s": 0.0}, ValueError, "episode_s"),
     ({"episode_s": float("nan")}, ValueError, "episode_s"), ({"seed": 1}, TypeError, "reset"), ({"robot": "humanoid2"}, ValueError, "humanoid22")])
 def test_environments_that_cannot_be(arguments, error, tells):
