@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import os
 import re
+import subprocess
 import sys
 import time
 from collections.abc import Mapping
@@ -28,7 +29,7 @@ SHIPPED = {"robot": ("urdf", "robot.yaml"), "config": ("config", ".yaml"), "worl
 PARAMETER = re.compile(r"[A-Za-z_]\w*\.[A-Za-z_]\w*")
 AFTER_FALL_S = 1.0
 SAMPLE_MS = 10
-FIRST_SAMPLE_MS = 1  # a millisecond after a tick, as in a run's summary
+FIRST_SAMPLE_MS = 5  # a millisecond after a tick, as in a run's summary
 PROBE_S = 1.2
 
 
@@ -157,19 +158,19 @@ def _own_files() -> dict[str, Path]:
     """The simulator, its libraries (the C library's mathematics among them), the plug-ins, and what computes the figures."""
     from gaitway import _native
 
-    root = Path(_native.installation_root())
-    here = Path(__file__)
-    files = [here, here.with_name("walk_metrics.py"), *sorted((root / "lib" / "gaitway").rglob("*.so*"))]
-    python = (Path(sys.base_prefix).resolve() / "lib" / f"python{sys.version_info[0]}.{sys.version_info[1]}", Path(sys.prefix))
-    with open("/proc/self/maps", encoding="utf-8") as maps:
-        mapped = {Path(line.split(maxsplit=5)[5].strip()) for line in maps if ".so" in line and " /" in line}
-    package = here.parent.parent
-    files += [
-        file for file in mapped
-        if file.is_file() and (file.is_relative_to(package) or not any(file.is_relative_to(place) for place in python))
-        and not file.name.startswith("libpython")
-    ]
+    root, here = Path(_native.installation_root()), Path(__file__)
+    files = [here, here.with_name("walk_metrics.py"), *(root / "lib" / "gaitway").rglob("*.so*"), *_libraries()]
     return {file.name: file for file in files if file.is_file()}
+
+
+def _libraries() -> list[Path]:
+    """Those that the simulator loads into a process that has loaded nothing else."""
+    words = "import gaitway._native, sys; sys.stdout.write(open('/proc/self/maps').read())"
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(path for path in sys.path if path)}
+    maps = subprocess.run([sys.executable, "-c", words], env=environment, capture_output=True, text=True, check=True).stdout
+    python = Path(os.__file__).resolve().parent
+    mapped = {Path(line.split(maxsplit=5)[5]) for line in maps.splitlines() if " /" in line and ".so" in line}
+    return [file for file in mapped if not file.is_relative_to(python) and not file.name.startswith("libpython")]
 
 
 def _robot(description: Json) -> Robot:

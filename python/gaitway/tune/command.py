@@ -34,7 +34,7 @@ tuned.md says why; 1 the input was bad; 3 not finished; 4 results could not be w
 
 EXIT_NOT_BETTER = 6
 SIZES = {  # generations, population, seeds of the search, seeds of the verdict, seconds of a trial
-    "small": (2, 4, 1, 2, 5.0),
+    "small": (2, 3, 1, 2, 3.5),
     "usual": (30, 12, 8, 60, 12.0),
 }
 FIRST_HELD_OUT = 100_001
