@@ -88,6 +88,7 @@ class CommandLine {
 struct Command {
   const char* name;
   const char* help;  // one line
+  bool of_python = false;  // a program of the Python package, which may lie elsewhere in the path
 };
 
 inline constexpr std::array kCommands{
@@ -113,7 +114,9 @@ inline constexpr std::array kCommands{
     Command{"plan", "Plan footsteps through a world, past its obstacles and within the gait's limits"},
     Command{"preflight", "Try something on many simulated robots before it is sent to a real one"},
     Command{"simulate", "Trajectories and ZMPs on the robot without dynamics: limits, collisions, margins"},
-    Command{"wireless", "Run a robot and a client with a bad wireless link between them"}};
+    Command{"wireless", "Run a robot and a client with a bad wireless link between them"},
+    Command{"sweep", "Run trials over robots, configurations, parameters and seeds, here or on a cluster", true},
+    Command{"tune", "Tune the gait's numbers of a robot by trials", true}};
 
 // Declares the command of that name, with its line of help.
 [[nodiscard]] CommandLine add_command(const CommandLine& program, std::string_view name);
