@@ -168,9 +168,9 @@ def test_topics_of_others_can_be_written_where_they_are_given_up():
 
 def test_conditions_parameters_and_worlds():
     with gaitway.Robot(seed=SEED, conditions={"slope_deg": [3, 0]}) as slope, gaitway.Robot(seed=SEED) as flat, \
-            gaitway.Robot(seed=SEED, parameters={"trajectory": {"lift": "0.04 m"}}) as lifts, gaitway.Robot(seed=SEED, world="boxes") as boxes:
+            gaitway.Robot(seed=SEED, parameters={"trajectory": {"lift": "0.04 m"}}) as lifts, gaitway.Robot(seed=SEED, world="rough") as rough:
         digests = set()
-        for robot in (slope, flat, lifts, boxes):
+        for robot in (slope, flat, lifts, rough):
             robot.run(0.5)
             robot.walk(0.1)
             robot.run(1.5)
