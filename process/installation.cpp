@@ -2,6 +2,7 @@
 #include "gaitway/process/installation.hpp"
 
 #include <dlfcn.h>
+#include <link.h>
 
 #include <stdexcept>
 
@@ -30,11 +31,9 @@ std::filesystem::path shared(const char* part) {
   return found / "share" / "gaitway" / part;
 }
 
-}  // namespace
-
 // The nearest folder above that holds share/gaitway; empty: none does.
-std::filesystem::path installation_root() {
-  for (std::filesystem::path folder = own_file().parent_path();; folder = folder.parent_path()) {
+std::filesystem::path root_above(const std::filesystem::path& file) {
+  for (std::filesystem::path folder = file.parent_path();; folder = folder.parent_path()) {
     if (std::filesystem::exists(folder / "share" / "gaitway" / "urdf")) {
       return folder;
     }
@@ -42,6 +41,26 @@ std::filesystem::path installation_root() {
       return {};
     }
   }
+}
+
+int take_root(dl_phdr_info* library, std::size_t, void* root) {
+  const std::filesystem::path file = library->dlpi_name;
+  if (file.filename().string().find(".so") == std::string::npos) return 0;  // a private copy has none
+  std::error_code gone;
+  const std::filesystem::path place = std::filesystem::canonical(file, gone);
+  auto& found = *static_cast<std::filesystem::path*>(root);
+  if (!gone) found = root_above(place);
+  return found.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+// A plug-in is loaded from a private copy, which lies nowhere, and the program may be somebody else's, an
+// interpreter: then another library of the process is the one that lies in the installation.
+std::filesystem::path installation_root() {
+  std::filesystem::path root = root_above(own_file());
+  if (root.empty()) dl_iterate_phdr(&take_root, &root);
+  return root;
 }
 
 std::filesystem::path default_robot_directory() {

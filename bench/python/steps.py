@@ -30,19 +30,7 @@ def pace_of_command(command: str) -> float:
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run([command, "run", "--seconds", str(STEPS * 0.08), "--seed", "1", "--out", folder, "--quiet", "--no-pictures"], check=True)
         summary = json.loads((pathlib.Path(folder) / "summary.json").read_text())
-    return STEPS / find(summary, "wall_s")
-
-
-def find(node: object, key: str) -> float:
-    if isinstance(node, dict):
-        if key in node:
-            return float(node[key])
-        for value in node.values():
-            try:
-                return find(value, key)
-            except KeyError:
-                continue
-    raise KeyError(key)
+    return float(STEPS / summary["wall_seconds"])
 
 
 def pace_of_env(env: gaitway.Env) -> float:

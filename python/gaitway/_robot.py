@@ -215,7 +215,8 @@ class Robot:
         strength = math.hypot(*vector)
         if strength == 0.0:
             raise ValueError("impulse = [0, 0, 0]: a push of nothing has no direction")
-        self.apply({"push": {"body": link, "direction": vector, "impulse_Ns": strength, "duration_s": duration_s}})
+        self.apply({"push": {"body": link, "direction": [part / strength for part in vector], "impulse_Ns": strength,
+                             "duration_s": duration_s}})
 
     def apply(self, action: str | Mapping[str, Any]) -> None:
         """Any action of a scenario, as YAML or as a mapping: {"motion": "wave"}, {"fault": {"kind": "jam", …}}."""

@@ -112,7 +112,6 @@ RobotSetup::RobotSetup(const RobotChoice& choice)
     options_.main_controller.try_at_start = true;  // somebody's own, which may crash
   }
   take_out_writers();
-  find_prepared_motions();
   set_parameters(choice.parameters);
   options_.main_controller.configuration = file;
   options_.main_controller.plugins = configuration_;
@@ -165,18 +164,6 @@ void RobotSetup::set_parameters(const std::vector<ParameterChoice>& parameters) 
                                               input::suggest(parameter.plugin, names_of(configuration_))));
     }
     set(*entry, parameter.name, parameter.text);
-  }
-}
-
-// In a build tree they lie beside the programs, where a plug-in that an interpreter loads does not look.
-void RobotSetup::find_prepared_motions() {
-  core::PluginEntry* const planner = entry_of(configuration_, "trajectory");
-  if (planner == nullptr) return;
-  const std::vector<std::filesystem::path> places = process::prepared_motion_directories(robot_.directory);
-  const bool given = std::ranges::any_of(
-      planner->parameters, [](const core::ParameterEntry& one) { return one.name == "motions"; });
-  if (!given && places.size() > 1 && std::filesystem::is_directory(places.back())) {
-    set(*planner, "motions", places.back().string());
   }
 }
 

@@ -56,7 +56,6 @@ class RobotSetup {
   void add_navigation();
   void take_out_writers();
   void set_parameters(const std::vector<ParameterChoice>& parameters);
-  void find_prepared_motions();
 
   urdf::RobotModel robot_;
   core::Configuration configuration_;

@@ -47,7 +47,7 @@ def robot():
     (lambda r: r.write("walk_request", {"walk": 2**40}), (TypeError, ValueError), None),
     (lambda r: r.write("walk_request", np.zeros(3)), TypeError, "mapping"),
     (lambda r: r.write("walk_request", r.topic("imu")), TypeError, "dtype"),
-    (lambda r: r.write("estimate", {}), gaitway.TopicError, "zmp"),
+    (lambda r: r.write("estimate", {}), gaitway.TopicError, "already written"),
     (lambda r: r.write("motion_request", {"name": "x" * 500}), ValueError, "room"),
     (lambda r: r.restart(-1), ValueError, "seed"),
     (lambda r: r.restart(1.5), TypeError, None),

@@ -11,8 +11,8 @@ EXAMPLES = pathlib.Path(__file__).parents[2] / "python" / "examples"
 
 def test_learning_helps():
     learn = runpy.run_path(str(EXAMPLES / "learn_command.py"))["learn"]
-    before, after = learn(iterations=6, directions=4, cycles=40)
-    assert after > before
+    before, after = learn(iterations=4, directions=3, cycles=40)
+    assert after > before + 0.05
 
 
 @pytest.mark.parametrize("with_plots", [True, False])

@@ -166,13 +166,31 @@ def test_topics_of_others_can_be_written_where_they_are_given_up():
         assert robot.topic("correction")["com_offset"][0] == 0.01
 
 
+def test_walks_to_a_place_and_plays_a_motion():
+    """Plug-ins find what they need beside the package, also when an interpreter loads them."""
+    with gaitway.Robot(seed=SEED, navigation=True) as robot:
+        robot.run(1.0)
+        robot.apply({"walk_to": {"x_m": 0.3, "y_m": 0.0, "yaw_deg": 0}})
+        robot.run(9.0)
+        assert robot.truth().base_m[0] == pytest.approx(0.3, abs=0.05)
+        robot.apply({"motion": "wave"})
+        robot.run(1.0)
+        assert robot.topic("motion_state")["refused"] == 0
+        assert robot.topic("motion_state")["state"] != 0
+
+
 def test_conditions_parameters_and_worlds():
-    with gaitway.Robot(seed=SEED, conditions={"slope_deg": [3, 0]}) as slope, gaitway.Robot(seed=SEED) as flat, \
-            gaitway.Robot(seed=SEED, parameters={"trajectory": {"lift": "0.04 m"}}) as lifts, gaitway.Robot(seed=SEED, world="boxes") as boxes:
-        digests = set()
-        for robot in (slope, flat, lifts, boxes):
+    digests = set()
+    for arguments in ({}, {"conditions": {"slope_deg": [3, 0]}}, {"parameters": {"trajectory": {"lift": "0.04 m"}}}, {"mismatch": 0.0}):
+        with gaitway.Robot(seed=SEED, **arguments) as robot:
             robot.run(0.5)
             robot.walk(0.1)
-            robot.run(1.5)
+            robot.run(1.0)
             digests.add(robot.digest)
-        assert len(digests) == 4
+            with pytest.raises(ValueError, match="world"):
+                robot.apply({"remove": {"name": "crate"}})
+    assert len(digests) == 4
+    with gaitway.Robot(seed=SEED, world="boxes") as robot:
+        robot.apply({"spawn": {"name": "crate", "shape": "box", "size_m": [0.2, 0.2, 0.1], "position_m": [1, 0, 0.05]}})
+        robot.apply({"remove": {"name": "crate"}})
+        robot.run(0.1)
