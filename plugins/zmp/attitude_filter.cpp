@@ -47,6 +47,7 @@ AttitudeFilter::AttitudeFilter(const EstimatorParameters& parameters) noexcept
       unheard_rate_rad_per_s_(parameters.unheard_rate_rad_per_s),
       bias_deviation_(parameters.bias_deviation_rad_per_s),
       bias_lifetime_s_(parameters.bias_lifetime_s),
+      bias_walk_(parameters.bias_walk_rad_per_s_rts),
       heading_noise_(parameters.heading_noise_rad) {
   covariance_.block<3, 3>(kBias, kBias).diagonal().setConstant(Eigen::numext::abs2(bias_deviation_));
 }
@@ -63,6 +64,7 @@ void AttitudeFilter::predict(const Eigen::Vector3d& gyro_rad_per_s, double dt_s,
       Eigen::numext::abs2(unheard_rate_rad_per_s_ * unheard_s);
   covariance_.block<3, 3>(kBias, kBias).diagonal().array() +=
       Eigen::numext::abs2(bias_deviation_) * (1.0 - kept * kept);
+  covariance_.block<2, 2>(kBias, kBias).diagonal().array() += Eigen::numext::abs2(bias_walk_) * dt_s;
   world_from_trunk_ = (world_from_trunk_ * turn_by(dt_s * rate_rad_per_s())).eval();
   bias_ *= kept;
   bound_yaw();

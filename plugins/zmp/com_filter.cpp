@@ -59,11 +59,24 @@ void ComOffset::update(const Eigen::Vector2d& unexplained_m_per_s2, double omega
   variance_ =
       (variance_.array() + drift_m_per_rts_ * drift_m_per_rts_ * dt_s).matrix().cwiseMin(prior_variance_);
   const Eigen::Vector2d gain = variance_.array() / (variance_.array() + noise);
-  const Eigen::Vector2d limit = 3.0 * prior_variance_.cwiseSqrt();
-  offset_ -= gain.cwiseProduct(unexplained_m_per_s2) / (omega_rad_per_s * omega_rad_per_s);
-  offset_ = offset_.cwiseMax(-limit).cwiseMin(limit);
+  offset_ = bounded(offset_ - gain.cwiseProduct(unexplained_m_per_s2) / (omega_rad_per_s * omega_rad_per_s));
   variance_ -= gain.cwiseProduct(variance_);
   floor_ += dt_s / (kFloorTime_s + dt_s) * (zmp_variance_m2.cwiseMin(prior_variance_) - floor_);
+}
+
+Eigen::Vector2d ComOffset::believed_of(const Eigen::Vector2d& shift_m) noexcept {
+  const Eigen::Vector2d before_m = offset_;
+  // A prior of zero: the description is taken for exact, and nothing gainsays what it says.
+  const Eigen::Array2d unknown_share =
+      (prior_variance_.array() > 0.0).select(variance_.array() / prior_variance_.array(), 1.0);
+  const Eigen::Vector2d gainsaid_m = (1.0 - unknown_share) * shift_m.array();
+  offset_ = bounded(offset_ + gainsaid_m);
+  return shift_m - (offset_ - before_m);
+}
+
+Eigen::Vector2d ComOffset::bounded(const Eigen::Vector2d& offset_m) const noexcept {
+  const Eigen::Vector2d limit = 3.0 * prior_variance_.cwiseSqrt();
+  return offset_m.cwiseMax(-limit).cwiseMin(limit);
 }
 
 }  // namespace gaitway::zmp

@@ -27,6 +27,8 @@ std::vector<NumberParameter> EstimatorParameters::numbers() {
       {bias_deviation_rad_per_s, "bias_deviation", "rad/s", kLeast, 0.3,
        "standard deviation of the gyro's bias"},
       {bias_lifetime_s, "bias_lifetime", "s", 1.0, kForever_s, "in which that bias forgets itself"},
+      {bias_walk_rad_per_s_rts, "bias_walk", "rad/s/s^0.5", 0.0, 1.0,
+       "how that bias walks about the axes that tilt"},
       {heading_noise_rad, "heading_noise", "rad", kLeast, kMost,
        "how far play lets trunk and feet turn unseen"},
       {creep_rad_rts, "creep", "rad/s^0.5", kLeast, kMost, "of standing feet, always"},

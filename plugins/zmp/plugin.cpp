@@ -19,12 +19,15 @@ constexpr double kUnaligned_rad = 0.011;
 // Where nothing tells the tilt of a robot that walks, the gyro's bias must be followed as it walks itself,
 // some 0.01 °/s in the root of a second: in so long a bias of `bias_deviation` becomes another one.
 constexpr double kBiasLifetime_s = 1600.0;
+// And a bias of 0.05 rad/s that comes all at once must be learned before the robot leans too far.
+constexpr double kBiasWalk_rad_per_s_rts = 0.003;
 
 EstimatorParameters parameters_of(Setup& setup, const urdf::RobotModel& robot) {
   EstimatorParameters p;
   if (robot.imu.inclinometer == urdf::Inclinometer::pendulum) {
     p.tilt_zero_deviation_rad = kUnaligned_rad;
     p.bias_lifetime_s = kBiasLifetime_s;
+    p.bias_walk_rad_per_s_rts = kBiasWalk_rad_per_s_rts;
   }
   scale_to_body(p.numbers(), robot.body_scale());
   setup.parameters(p.numbers());

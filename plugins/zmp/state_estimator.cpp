@@ -80,7 +80,8 @@ void StateEstimator::place_body() noexcept {
   kinematics_.level(attitude_.attitude());
   turned_attitude_ = attitude_.attitude();
   if (!started_ || senses_tilt_) return;
-  const Eigen::Vector3d learned_m = kinematics_.com_m(support_) - before_m;
+  Eigen::Vector3d learned_m = kinematics_.com_m(support_) - before_m;
+  learned_m.head<2>() = com_offset_.believed_of(learned_m.head<2>());
   for (std::size_t axis = 0; axis < 3; ++axis) com_[axis].shift(learned_m[static_cast<Eigen::Index>(axis)]);
   last_measured_m_ += learned_m;
 }

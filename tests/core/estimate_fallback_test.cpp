@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "gaitway/facts/facts.hpp"
 #include "gaitway/urdf/robot_model.hpp"
 #include "plugin_fixture.hpp"
 
@@ -28,6 +29,10 @@ class EstimateFallbackTest : public PluginFixture {
     manager = std::make_unique<PluginManager>(
         parse_configuration("plugins:\n  - {name: zmp, library: nowhere.so}\n", "test.yaml"), options,
         client);
+  }
+  void roll_to(double angle_rad) {
+    imu.acceleration[1] = facts::kGravity_m_per_s2 * std::sin(angle_rad);
+    imu.acceleration[2] = facts::kGravity_m_per_s2 * std::cos(angle_rad);
   }
   Estimate step() {
     const Tick now = tick(next++);
@@ -73,18 +78,18 @@ TEST_F(EstimateFallbackTest, StandingRobotHasItsComBetweenTheFeetAndBothInContac
   EXPECT_NEAR(estimate.attitude[0], 0.0, 1e-9);
 }
 
-TEST_F(EstimateFallbackTest, AttitudeFollowsTheGyroAndThenTheInclinometer) {
+TEST_F(EstimateFallbackTest, AttitudeFollowsTheGyroAndThenTheAccelerometer) {
   step();
   imu.angular_velocity[0] = 0.5;
   Estimate estimate{};
   for (int i = 0; i < 10; ++i) {
-    imu.inclination[0] += 0.005;
+    roll_to(0.005 * (i + 1));
     estimate = step();
   }
   EXPECT_NEAR(estimate.attitude[0], 0.05, 1e-3);
   EXPECT_DOUBLE_EQ(estimate.angular_velocity[0], 0.5);
   imu.angular_velocity[0] = 0.0;
-  imu.inclination[0] = 0.1;
+  roll_to(0.1);
   for (int i = 0; i < 300; ++i) {
     estimate = step();
   }

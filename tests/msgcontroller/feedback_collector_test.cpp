@@ -164,7 +164,9 @@ TEST_F(DerivedInclination, DoesNotBelieveAnAccelerometerThatIsShaken) {
 }
 
 TEST_F(DerivedInclination, IsTheInclinometersOwnWhereThereIsOne) {
-  Feedback feedback(robot(true));
+  urdf::RobotModel fused = robot(true);
+  fused.imu.inclinometer = urdf::Inclinometer::fused;
+  Feedback feedback(fused);
   feedback.slot(tilted(0.1, -0.2, 0.0));
   EXPECT_NEAR(feedback.collector().imu().inclination[0], 0.3, 1e-4);
   EXPECT_NEAR(feedback.collector().tilt_rad().x(), 0.3, 1e-4);
@@ -172,9 +174,7 @@ TEST_F(DerivedInclination, IsTheInclinometersOwnWhereThereIsOne) {
 
 // It is passed on as it is, but nobody balances by it.
 TEST_F(DerivedInclination, OfAPendulumIsNoTilt) {
-  urdf::RobotModel hanging = robot(true);
-  hanging.imu.inclinometer = urdf::Inclinometer::pendulum;
-  Feedback feedback(hanging);
+  Feedback feedback(robot(true));
   feedback.slot(tilted(0.1, -0.2, 0.0));
   EXPECT_NEAR(feedback.collector().imu().inclination[0], 0.3, 1e-4);
   EXPECT_NEAR(feedback.collector().tilt_rad().x(), 0.1, 0.002);

@@ -198,15 +198,15 @@ class RobotVariant {
     write();
   }
 
-  // Its inclinometer takes accelerations for tilts, and it is built of parts that differ from their
-  // description.
-  void build_of_real_parts() {
-    exchange(yaml_, "imu: {link: trunk,", "imu: {inclinometer: pendulum, link: trunk,");
-    exchange(yaml_, "simulation:\n", "simulation:\n  parts: 1\n");
+  // As no robot is built: its parts are as described, and its inclinometer knows accelerations from tilts.
+  void build_of_ideal_parts() {
+    exchange(yaml_, ", inclinometer: pendulum", "");
+    exchange(yaml_, "  parts: 1\n", "");
     write();
   }
 
   void take_inclinometer() {
+    exchange(yaml_, ", inclinometer: pendulum", "");
     for (const char* const tilt : {"inclination_roll", "inclination_pitch"}) exchange(yaml_, tilt, "none");
     exchange(yaml_, ", inclination_rad: 0.0001", "");
     write();

@@ -19,6 +19,8 @@ namespace {
 
 using testing::HasSubstr;
 
+// Torque constants are 10 % off, and a gear of 0.9 adds what it loses to a motor that brakes.
+constexpr double kStrongestMotor = 1.1 / 0.9;
 constexpr std::uint32_t kFalls = estimate::fall::falls, kLies = estimate::fall::lies;
 
 // The robot walks at 0.2 m/s and is pushed so hard to the left that no step could save it.
@@ -107,7 +109,7 @@ TEST_F(FallTest, MeetsTheGroundInAPostureAndIsSoftOnceItLies) {
   const double waist_rad = reference_rad("waist_yaw");
   advance_to(told_s_ + 0.02);
   while (fall() == kFalls && run_.time_s() < told_s_ + 2.0) {
-    ASSERT_LE(largest_torque_Nm(), 0.58 * 8.0) << "4/7 of the motors' torque, within two time slots";
+    ASSERT_LE(largest_torque_Nm(), 0.58 * 8.0 * kStrongestMotor) << "4/7 of it, within two time slots";
     run_.cosimulation.advance_millisecond();
   }
   ASSERT_EQ(fall(), kLies);

@@ -1,5 +1,5 @@
 // humanoid22 with other sensors stands and walks through the whole chain: six-axis feet, feet without
-// sensors, the IMU in the base, real parts with a pendulum for an inclinometer, trims at the ankles alone,
+// sensors, the IMU in the base, ideal parts, trims at the ankles alone,
 // without inclinometer and foot accelerometers.
 #include <gtest/gtest.h>
 
@@ -34,32 +34,31 @@ TEST_P(OtherSensors, StandAndWalk) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Of, OtherSensors,
-    ::testing::Values(Equipment{"SixAxisFeet", &RobotVariant::give_six_axis_feet},
-                      Equipment{"FeetWithoutSensors", &RobotVariant::take_foot_sensors},
-                      Equipment{"ImuInTheBase", &RobotVariant::put_imu_into_base},
-                      Equipment{"PartsAsTheyAreBuilt", &RobotVariant::build_of_real_parts},
-                      Equipment{"TrimsAtTheAnklesAlone", &RobotVariant::trim_ankles_alone},
-                      Equipment{"NeitherInclinometerNorFootAccelerometers",
-                                [](RobotVariant& variant) {
-                                  variant.take_inclinometer();
-                                  variant.take_foot_accelerometers();
-                                }},
-                      Equipment{"GyroAndAccelerometerInTheBaseAlone",
-                                [](RobotVariant& variant) {
-                                  variant.take_foot_sensors();
-                                  variant.put_imu_into_base();
-                                  variant.trim_ankles_alone();
-                                  variant.take_inclinometer();
-                                  variant.take_foot_accelerometers();
-                                }}),
-    [](const auto& tested) { return tested.param.name; });
+INSTANTIATE_TEST_SUITE_P(Of, OtherSensors,
+                         ::testing::Values(Equipment{"SixAxisFeet", &RobotVariant::give_six_axis_feet},
+                                           Equipment{"FeetWithoutSensors", &RobotVariant::take_foot_sensors},
+                                           Equipment{"ImuInTheBase", &RobotVariant::put_imu_into_base},
+                                           Equipment{"PartsAsDescribed", &RobotVariant::build_of_ideal_parts},
+                                           Equipment{"TrimsAtTheAnklesAlone",
+                                                     &RobotVariant::trim_ankles_alone},
+                                           Equipment{"NeitherInclinometerNorFootAccelerometers",
+                                                     [](RobotVariant& variant) {
+                                                       variant.take_inclinometer();
+                                                       variant.take_foot_accelerometers();
+                                                     }},
+                                           Equipment{"GyroAndAccelerometerInTheBaseAlone",
+                                                     [](RobotVariant& variant) {
+                                                       variant.take_foot_sensors();
+                                                       variant.put_imu_into_base();
+                                                       variant.trim_ankles_alone();
+                                                       variant.take_inclinometer();
+                                                       variant.take_foot_accelerometers();
+                                                     }}),
+                         [](const auto& tested) { return tested.param.name; });
 
 // The gyro's bias walks, and nothing but the accelerations of a walk tells which way is up.
 TEST(RealParts, TiltIsKnownOnALongWalk) {
-  RobotVariant variant;
-  variant.build_of_real_parts();
+  const RobotVariant variant;
   const urdf::RobotModel robot = urdf::load_robot(variant.folder());
   for (int seed = 1; seed <= seeds(2); ++seed) {
     auto run = SimulatedRun::of_robot(static_cast<std::uint64_t>(seed), robot);

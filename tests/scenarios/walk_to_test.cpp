@@ -44,8 +44,8 @@ TEST(WalkTo, ThroughTheBoxesWithoutTouchingOne) {
     EXPECT_EQ(way["result"], "arrived") << "seed " << seed << ": " << way["text"];
     EXPECT_EQ(things_touched(run), 0) << "seed " << seed;
     EXPECT_GT(way["footsteps"], 25) << "seed " << seed;
-    EXPECT_LT(way["placement_rms_mm"], 15.0) << "seed " << seed;
-    EXPECT_LT(way["goal_error_mm"], 20.0) << "seed " << seed;
+    EXPECT_LT(way["placement_rms_mm"], 20.0) << "seed " << seed;
+    EXPECT_LT(way["goal_error_mm"], 25.0) << "seed " << seed;
     EXPECT_LT(way["goal_error_deg"], 2.0) << "seed " << seed;
   }
 }
@@ -74,7 +74,7 @@ TEST(WalkTo, PushesOnTheWayAreGotOver) {
     EXPECT_EQ(way["result"], "arrived") << "seed " << seed << ": " << way["text"];
     EXPECT_GT(way["replans"], 0) << "seed " << seed;
     EXPECT_EQ(things_touched(run), 0) << "seed " << seed;
-    EXPECT_LT(way["goal_error_mm"], 20.0) << "seed " << seed;
+    EXPECT_LT(way["goal_error_mm"], 25.0) << "seed " << seed;
   }
 }
 

@@ -98,6 +98,7 @@ TEST_F(SensorTest, AccelerometersFeelNothingInFreeFall) {
 }
 
 TEST_F(SensorTest, GyroAndInclinometerAgreeWithTheMotionOfTheTrunk) {
+  model_.imu.inclinometer = urdf::Inclinometer::fused;
   Plant plant(model_, exact_);
   servo_.hold(plant, 200);
   plant.push("trunk", Eigen::Vector3d(1.0, 1.0, 0.0), 1.0, 0.1);
@@ -117,7 +118,6 @@ TEST_F(SensorTest, GyroAndInclinometerAgreeWithTheMotionOfTheTrunk) {
 // A pendulum hangs along apparent gravity: a trunk that is driven forwards throws it back, as if it pitched
 // back.
 TEST_F(SensorTest, APendulumFeelsEveryAcceleration) {
-  model_.imu.inclinometer = urdf::Inclinometer::pendulum;
   Plant plant(model_, exact_);
   servo_.hold(plant, 300);
   const double at_rest_rad = plant.sensors().inclination_rad.y();

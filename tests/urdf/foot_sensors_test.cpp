@@ -44,11 +44,10 @@ TEST(FootSensors, MayBeNone) {
 }
 
 TEST(Inclinometer, ThatIsNotCarriedIsNoPendulum) {
-  RobotVariant variant;
-  variant.build_of_real_parts();
-  EXPECT_EQ(load_robot(variant.folder()).imu.inclinometer, Inclinometer::pendulum);
-  variant.take_inclinometer();
-  EXPECT_THROW(static_cast<void>(load_robot(variant.folder())), RobotError);
+  BrokenRobot robot;
+  EXPECT_EQ(robot.load().imu.inclinometer, Inclinometer::pendulum);
+  robot.replace(kNetworkFile, "inclination_roll", "none").replace(kNetworkFile, "inclination_pitch", "none");
+  robot.expect_complaint({"imu.inclinometer = pendulum: no joint carries inclination channels"});
 }
 
 TEST(FootSensors, AWrenchIsTheSameForceAtTheSamePlaceWhereverTheSensorSits) {

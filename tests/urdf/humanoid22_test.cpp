@@ -158,8 +158,8 @@ TEST_F(Humanoid22, HasTheSensorsContactAndTimeStepOfTheFigures) {
   EXPECT_EQ(robot.noise.inclination_rad, 0.003);
   EXPECT_EQ(robot.contact.friction, 0.8);
   EXPECT_EQ(robot.physics_step_s, 0.001);
-  EXPECT_EQ(robot.imu.inclinometer, Inclinometer::fused);
-  EXPECT_EQ(robot.parts_deviation, 0.0);
+  EXPECT_EQ(robot.imu.inclinometer, Inclinometer::pendulum);
+  EXPECT_EQ(robot.parts_deviation, 1.0);
   EXPECT_NEAR(robot.trim.count_rad, 0.05 * kRadPerDegree, 1e-15);
   EXPECT_NEAR(robot.trim.limit_rad, 127.0 * robot.trim.count_rad, 1e-12);
 }

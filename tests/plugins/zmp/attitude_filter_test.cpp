@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -224,6 +225,40 @@ TEST(AttitudeFilter, KeepsUprightWhileTheTrunkIsAcceleratedToAndFro) {
   EXPECT_GT(angles.norm(), 0.03) << "else this tells nothing";
   EXPECT_NEAR(filter.attitude().roll_rad, 0.0, 0.003);
   EXPECT_NEAR(filter.attitude().pitch_rad, 0.0, 0.003);
+}
+
+// Largest tilt that the filter believes of an upright walking trunk, in the ten seconds after its gyro was
+// knocked.
+double largest_lean_after_a_knock_rad(double bias_walk_rad_per_s_rts) {
+  EstimatorParameters parameters;
+  parameters.bias_walk_rad_per_s_rts = bias_walk_rad_per_s_rts;
+  AttitudeFilter filter(parameters);
+  filter.correct_tilt({0.0, 0.0}, 0.02);
+  double largest_rad = 0.0;
+  constexpr int kKnocked = 2000, kEnd = 3000;
+  for (int i = 0; i < kEnd; ++i) {
+    const double swing = std::cos(2.0 * M_PI * i / 32.0);
+    filter.predict(i < kKnocked ? Eigen::Vector3d::Zero() : Eigen::Vector3d(0.05, -0.05, 0.05), kSlot_s);
+    filter.correct_by_force({0.25 * swing, -0.15 * swing, 1.0 + 0.3 * swing}, 0.2);
+    if (i < kKnocked) continue;
+    largest_rad =
+        std::max({largest_rad, std::abs(filter.attitude().roll_rad), std::abs(filter.attitude().pitch_rad)});
+  }
+  return largest_rad;
+}
+
+TEST(AttitudeFilter, ABiasThatComesAtOnceIsLearnedBeforeTheTrunkSeemsToLeanFar) {
+  EXPECT_GT(largest_lean_after_a_knock_rad(0.0), 0.2) << "else this tells nothing";
+  EXPECT_LT(largest_lean_after_a_knock_rad(0.003), 0.1);
+}
+
+TEST(AttitudeFilter, TheBiasAboutTheVerticalDoesNotWalk) {
+  EstimatorParameters parameters;
+  parameters.bias_walk_rad_per_s_rts = 0.003;
+  AttitudeFilter filter(parameters);
+  for (int i = 0; i < 1000; ++i) filter.predict(Eigen::Vector3d::Zero(), kSlot_s);
+  EXPECT_GT(filter.bias_deviation_rad_per_s().x(), 0.009);
+  EXPECT_LE(filter.bias_deviation_rad_per_s().z(), parameters.bias_deviation_rad_per_s * 1.001);
 }
 
 TEST(TiltOfAcceleration, InvertsTheGravityThatATiltedTrunkFeels) {

@@ -50,5 +50,33 @@ TEST(ComOffset, IsLimitedToWhatADescriptionCanBeWrongBy) {
   EXPECT_NEAR(offset.offset_m().y(), -3.0 * kDeviation_m.y(), 1e-9);
 }
 
+TEST(ComOffset, AShiftOfTheKinematicsIsBelievedUntilTheForcesHaveToldWhereTheCoMIs) {
+  ComOffset offset(EstimatorParameters{}, kDeviation_m);
+  const Eigen::Vector2d shift_m(0.002, -0.001);
+  EXPECT_TRUE(offset.believed_of(shift_m).isApprox(shift_m));
+  EXPECT_TRUE(offset.offset_m().isZero());
+  walk(offset, Eigen::Vector2d::Zero(), 2000);
+  const Eigen::Vector2d before_m = offset.offset_m();
+  const Eigen::Vector2d believed_m = offset.believed_of(shift_m);
+  EXPECT_LT(believed_m.norm(), 0.5 * shift_m.norm());
+  EXPECT_TRUE((believed_m + offset.offset_m() - before_m).isApprox(shift_m)) << "the rest becomes offset";
+}
+
+TEST(ComOffset, WhatNoDescriptionCanBeWrongByIsBelieved) {
+  ComOffset offset(EstimatorParameters{}, kDeviation_m);
+  walk(offset, Eigen::Vector2d::Zero(), 2000);
+  const Eigen::Vector2d believed_m = offset.believed_of({0.5, -0.5});
+  EXPECT_NEAR(offset.offset_m().x(), 3.0 * kDeviation_m.x(), 1e-9);
+  EXPECT_GT(believed_m.x(), 0.48);
+  EXPECT_LT(believed_m.y(), -0.48);
+}
+
+TEST(ComOffset, OfADescriptionThatIsExactEveryShiftIsBelieved) {
+  ComOffset offset(EstimatorParameters{}, Eigen::Vector2d::Zero());
+  const Eigen::Vector2d shift_m(0.002, -0.001);
+  EXPECT_EQ(offset.believed_of(shift_m), shift_m);
+  EXPECT_EQ(offset.offset_m(), Eigen::Vector2d::Zero());
+}
+
 }  // namespace
 }  // namespace gaitway::zmp

@@ -298,7 +298,7 @@ TEST_F(StateEstimatorTest, SaysHowUncertainItIs) {
     EXPECT_LT(estimate_.zmp_deviation[axis], 0.005);
     EXPECT_GT(estimate_.dcm_deviation[axis], estimate_.com_deviation[axis]);
     EXPECT_GT(estimate_.attitude_deviation[axis], 0.0);
-    EXPECT_LT(estimate_.attitude_deviation[axis], EstimatorParameters{}.tilt_noise_rad);
+    EXPECT_LT(estimate_.attitude_deviation[axis], 0.008) << "a second of a pendulum at rest";
   }
 }
 
@@ -335,7 +335,7 @@ TEST_F(StateEstimatorTest, AKilometreLaterItSaysTheSameOfAStep) {
       tick();
     }
   };
-  for (int i = 0; i < 1000; ++i) {  // until what it learns has settled
+  for (int i = 0; i < 4000; ++i) {  // until what it learns has settled
     step(Side::right);
     step(Side::left);
   }

@@ -34,8 +34,6 @@ core::Configuration without_lean_feedback() {
 
 class CalibratedRobot : public ::testing::TestWithParam<std::uint64_t> {
  protected:
-  CalibratedRobot() { built_.build_of_real_parts(); }
-
   // Through the whole chain: what the message controller says of a robot that has stood for a second.
   [[nodiscard]] Errors stand() const {
     simulator::CosimulationOptions options;

@@ -73,7 +73,7 @@ class AttitudeFilter {
   void bound_yaw() noexcept;
   void read_angles() noexcept;
 
-  double gyro_noise_, unheard_rate_rad_per_s_, bias_deviation_, bias_lifetime_s_, heading_noise_;
+  double gyro_noise_, unheard_rate_rad_per_s_, bias_deviation_, bias_lifetime_s_, bias_walk_, heading_noise_;
   bool has_tilt_ = false;
   Attitude attitude_;
   Eigen::Matrix3d world_from_trunk_ = Eigen::Matrix3d::Identity();

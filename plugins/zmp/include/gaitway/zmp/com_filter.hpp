@@ -69,6 +69,10 @@ class ComOffset {
   void update(const Eigen::Vector2d& unexplained_m_per_s2, double omega_rad_per_s,
               const Eigen::Vector2d& zmp_variance_m2, double dt_s) noexcept;
 
+  // Of a shift that something learned of the kinematics (the trunk's attitude) gives its CoM: what is to be
+  // believed. The rest is an error of the kinematics that the forces have told already, and becomes offset.
+  [[nodiscard]] Eigen::Vector2d believed_of(const Eigen::Vector2d& shift_m) noexcept;
+
   // To be taken from the kinematics' CoM.
   [[nodiscard]] const Eigen::Vector2d& offset_m() const noexcept { return offset_; }
   [[nodiscard]] Eigen::Vector2d variance_m2() const noexcept { return variance_ + floor_; }
@@ -80,6 +84,8 @@ class ComOffset {
   }
 
  private:
+  [[nodiscard]] Eigen::Vector2d bounded(const Eigen::Vector2d& offset_m) const noexcept;
+
   double noise_m_rts_, drift_m_per_rts_;
   Eigen::Vector2d prior_variance_;
   Eigen::Vector2d offset_ = Eigen::Vector2d::Zero();

@@ -22,6 +22,10 @@ struct EstimatorParameters {
   double rate_filter_s = 0.0;                // low-pass of the angular velocity; 0: none
   double bias_deviation_rad_per_s = 0.005;   // of the gyro's bias, each axis
   double bias_lifetime_s = 1e6;              // in which it forgets itself
+  // How it walks about the axes that tilt, in the root of a second: more than such gyros do by themselves, so
+  // that a bias which a knock or heat has made is learned within some seconds. About the vertical hardly
+  // anything would tell it.
+  double bias_walk_rad_per_s_rts = 0.0;
   // How far play lets trunk and feet turn unseen, some 0.002 rad. They stay so for tenths of a second, and a
   // hundred samples in a second know no more than a few of such times do: hence the larger number.
   double heading_noise_rad = 0.015;
