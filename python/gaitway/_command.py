@@ -11,4 +11,6 @@ def main() -> None:
     program = pathlib.Path(__file__).resolve().parent / "bin" / "gaitway"
     if not program.exists():
         sys.exit(f"gaitway: {program} is missing: this package was built without the programs")
+    # What else came with the package, such as gaitway-sweep, lies beside this interpreter, whether or not the path says so.
+    os.environ["PATH"] = os.pathsep.join([str(pathlib.Path(sys.executable).parent), os.environ.get("PATH", os.defpath)])
     os.execv(program, [str(program), *sys.argv[1:]])

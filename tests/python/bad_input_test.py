@@ -150,16 +150,13 @@ def test_fork():
 
 
 def test_a_crashing_plugin_is_refused_by_name():
-    crashes = os.environ.get("GAITWAY_CRASHING_PLUGIN")
-    if not crashes:
-        pytest.skip("there is no plug-in that crashes in this build")
-    with pytest.raises((gaitway.PluginError, ValueError)):
-        gaitway.Robot(libraries=[crashes])
+    with pytest.raises((gaitway.PluginError, ValueError), match="crash"):
+        gaitway.Robot(libraries=[os.environ["GAITWAY_CRASHING_PLUGIN"]])
 
 
-def test_import_is_quick_and_does_nothing():
-    code = ("import threading, signal, time; start = time.process_time(); import gaitway; gaitway.Robot; took = time.process_time() - start\n"
-            "assert took < 0.3, took\nassert threading.active_count() == 1\nassert signal.getsignal(signal.SIGINT) is signal.default_int_handler\n"
+def test_import_does_nothing():
+    code = ("import threading, signal; import gaitway; gaitway.Robot\n"
+            "assert threading.active_count() == 1\nassert signal.getsignal(signal.SIGINT) is signal.default_int_handler\n"
             "import sys; assert 'gymnasium' not in sys.modules")
     subprocess.run([sys.executable, "-c", code], check=True)
 

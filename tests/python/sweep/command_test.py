@@ -103,7 +103,6 @@ def test_a_trial_that_nobody_can_run_is_a_result(tmp_path: pathlib.Path) -> None
 
 
 def test_no_scheduler_is_said_in_time(file: pathlib.Path, tmp_path: pathlib.Path) -> None:
-    pytest.importorskip("distributed")
     run = SweepRun(file, "dask://127.0.0.1:9", tmp_path / "out", tmp_path / "store", "--patience", "2")
     assert run.finish() == 3
     assert "no scheduler answers at tcp://127.0.0.1:9" in run.log.read_text()

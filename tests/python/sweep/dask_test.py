@@ -7,8 +7,6 @@ from collections.abc import Iterator
 
 import pytest
 
-pytest.importorskip("distributed")
-
 from loopback_cluster import Cluster, SweepRun, stored
 
 SWEEP = "trial: rehearsal\nseeds: 1..60\nparameters: {sleep_s: [0.02]}\n"

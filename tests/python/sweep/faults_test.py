@@ -5,8 +5,6 @@ from collections.abc import Iterator
 
 import pytest
 
-pytest.importorskip("distributed")
-
 import faults
 from loopback_cluster import Cluster
 

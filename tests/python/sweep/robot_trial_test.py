@@ -9,8 +9,6 @@ import subprocess
 
 import pytest
 
-pytest.importorskip("gaitway._native", exc_type=ImportError)
-
 from gaitway.sweep.complaint import InputError
 from gaitway.sweep.robot_trial import RobotTrials
 from gaitway.sweep.sweep_file import read_sweep
@@ -22,7 +20,6 @@ def trials_of(folder: pathlib.Path, text: str) -> list[dict[str, object]]:
     return [trial.description for trial in read_sweep(file).trials()]
 
 
-@pytest.mark.skipif("GAITWAY_COMMAND" not in os.environ, reason="no built command to compare with")
 def test_a_trial_is_a_run(tmp_path: pathlib.Path) -> None:
     [description] = trials_of(tmp_path, "seeds: [3]\nseconds: 5\n")
     result = RobotTrials().run(description)

@@ -11,8 +11,6 @@ from typing import Any
 
 import pytest
 
-pytest.importorskip("cma")
-
 from gaitway.sweep import trial as trial_module
 from gaitway.sweep.complaint import InputError
 from gaitway.sweep.engine import Engine
