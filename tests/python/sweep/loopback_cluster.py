@@ -49,6 +49,13 @@ class Cluster:
         self.workers.append(worker)
         return worker
 
+    def wait_for_workers(self, count: int, timeout_s: float = 60.0) -> None:
+        """Until the scheduler knows so many."""
+        end = time.monotonic() + timeout_s
+        while (self.folder / "worker.log").read_bytes().count(b"Registered to:") < count:
+            assert time.monotonic() < end, (self.folder / "worker.log").read_text()
+            time.sleep(0.05)
+
     def make_whole(self) -> None:
         """A scheduler and two workers, whatever has died."""
         if self.scheduler.poll() is not None:
