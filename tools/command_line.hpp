@@ -87,7 +87,7 @@ class CommandLine {
 
 struct Command {
   const char* name;
-  const char* help;  // one line
+  const char* help;        // one line
   bool of_python = false;  // a program of the Python package, which may lie elsewhere in the path
 };
 
@@ -115,7 +115,8 @@ inline constexpr std::array kCommands{
     Command{"preflight", "Try something on many simulated robots before it is sent to a real one"},
     Command{"simulate", "Trajectories and ZMPs on the robot without dynamics: limits, collisions, margins"},
     Command{"wireless", "Run a robot and a client with a bad wireless link between them"},
-    Command{"sweep", "Run trials over robots, configurations, parameters and seeds, here or on a cluster", true},
+    Command{"sweep", "Run trials over robots, configurations, parameters and seeds, here or on a cluster",
+            true},
     Command{"tune", "Tune the gait's numbers of a robot by trials", true}};
 
 // Declares the command of that name, with its line of help.

@@ -34,10 +34,11 @@ int become(const gaitway::tools::Command& command, char** argv) {
   execv(program.c_str(), argv);
   if (errno == ENOENT && command.of_python) {
     execvp(program.filename().c_str(), argv);
-    fmt::print(stderr,
-               "gaitway: '{0}' comes with the Python package, which is not here: {1} is not in the path. Install "
-               "the wheel: pip install 'gaitway[{0}]'\n",
-               command.name, program.filename().string());
+    fmt::print(
+        stderr,
+        "gaitway: '{0}' comes with the Python package, which is not here: {1} is not in the path. Install "
+        "the wheel: pip install 'gaitway[{0}]'\n",
+        command.name, program.filename().string());
   } else if (errno == ENOENT) {
     fmt::print(stderr,
                "gaitway: '{0}' is a program of its own, which is not here: {1}. In the source tree './dev "
