@@ -33,7 +33,7 @@ int become(const gaitway::tools::Command& command, char** argv) {
       std::filesystem::read_symlink("/proc/self/exe").parent_path() / fmt::format("gaitway-{}", command.name);
   execv(program.c_str(), argv);
   if (errno == ENOENT && command.of_python) {
-    execvp(program.filename().c_str(), argv);
+    execvp(program.filename().c_str(), argv + 1);  // its name is its own
     fmt::print(
         stderr,
         "gaitway: '{0}' comes with the Python package, which is not here: {1} is not in the path. Install "

@@ -201,7 +201,10 @@ class Robot:
 
     def walk(self, vx: float = 0.0, vy: float = 0.0, wz: float = 0.0) -> None:
         """Walks on: ahead and to the left in m/s, turning in rad/s; all 0: on the spot."""
-        self.apply({"walk": [float(vx), float(vy), float(wz)]})
+        command = [float(vx), float(vy), float(wz)]
+        if not all(map(math.isfinite, command)):
+            raise ValueError(f"walk = {command}: must be three finite numbers, m/s ahead and to the left, rad/s")
+        self.apply({"walk": command})
 
     def stand(self) -> None:
         """Finishes the step and stands."""

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
-from collections.abc import Sequence
+import threading
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -33,6 +35,7 @@ class VecEnv(VectorEnv[Vectors, Vectors, Vectors]):
         self.action_space = batch_space(self.single_action_space, self.num_envs)
         self.observation_space = batch_space(self.single_observation_space, self.num_envs)
         self._ended = np.zeros(self.num_envs, dtype=np.bool_)
+        self._in_use = threading.Lock()
 
     @property
     def threads(self) -> int:
@@ -51,16 +54,30 @@ class VecEnv(VectorEnv[Vectors, Vectors, Vectors]):
             raise ValueError(f"{len(seeds)} seeds for {self.num_envs} environments")
         infos: dict[str, Any] = {}
         observations = []
-        for i, (observation, info) in enumerate(self._begin_anew(self.envs, seeds)):
-            observations.append(observation)
-            infos = self._add_info(infos, info, i)
-        self._ended[:] = False
+        with self._alone():
+            for i, (observation, info) in enumerate(self._begin_anew(self.envs, seeds)):
+                observations.append(observation)
+                infos = self._add_info(infos, info, i)
+            self._ended[:] = False
         return np.stack(observations), infos
 
     def step(self, actions: Vectors) -> tuple[Vectors, Vectors, Vectors, Vectors, dict[str, Any]]:
         actions = np.asarray(actions)
         if actions.shape[:1] != (self.num_envs,):
             raise ValueError(f"actions: shape {actions.shape}; must be {self.action_space.shape}")
+        with self._alone():
+            return self._step(actions)
+
+    @contextlib.contextmanager
+    def _alone(self) -> Iterator[None]:
+        if not self._in_use.acquire(blocking=False):
+            raise _native.BusyError("this vector is stepped or reset by another thread, or by its own reward")
+        try:
+            yield
+        finally:
+            self._in_use.release()
+
+    def _step(self, actions: Vectors) -> tuple[Vectors, Vectors, Vectors, Vectors, dict[str, Any]]:
         going = [i for i in range(self.num_envs) if not self._ended[i]]
         for i in going:
             self.envs[i].begin_step(actions[i])

@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <system_error>
 #include <utility>
 
 namespace gaitway::python {
@@ -105,7 +106,13 @@ RunPool::RunPool(int threads) : threads_(threads), shared_(std::make_unique<Shar
   if (threads < 1 || threads > kMostThreads) {
     throw std::invalid_argument("threads = " + std::to_string(threads) + ": must be 1..1024");
   }
-  for (int i = 1; i < threads; ++i) helpers_.emplace_back([this] { help(*shared_); });
+  try {
+    for (int i = 1; i < threads; ++i) helpers_.emplace_back([this] { help(*shared_); });
+  } catch (const std::system_error& error) {
+    end_helpers();
+    throw std::runtime_error("threads = " + std::to_string(threads) +
+                             ": the system has not so many: " + error.what());
+  }
 }
 
 RunPool::~RunPool() {
@@ -114,6 +121,10 @@ RunPool::~RunPool() {
     static_cast<void>(shared_.release());
     return;
   }
+  end_helpers();
+}
+
+void RunPool::end_helpers() {
   {
     const std::scoped_lock lock(shared_->lock);
     shared_->ends = true;
@@ -134,6 +145,9 @@ void RunPool::help(Shared& shared) {
 
 void RunPool::each(std::size_t count, const std::function<void(std::size_t)>& work) {
   process_.require_here("this pool of threads");
+  if (busy_.exchange(true)) throw BusyError("these threads are at work for another one");
+  const std::unique_ptr<std::atomic<bool>, void (*)(std::atomic<bool>*)> at_work(
+      &busy_, [](std::atomic<bool>* busy) { *busy = false; });
   std::unique_lock held(shared_->lock);
   shared_->work = &work;
   shared_->next = 0;

@@ -82,25 +82,27 @@ class Use {
 // The calling thread, and as many more as it takes.
 class RunPool {
  public:
-  // Throws std::invalid_argument for less than one thread.
+  // Throws std::invalid_argument for less than one thread, std::runtime_error where there can't be so many.
   explicit RunPool(int threads);
   RunPool(const RunPool&) = delete;
   RunPool& operator=(const RunPool&) = delete;
   ~RunPool();
 
   // Calls `work(i)` for each 0 <= i < count, once, on any of the threads; when all have ended, throws what
-  // the first of them threw. Throws ForkError.
+  // the first of them threw. Throws ForkError, and BusyError where another thread is in it.
   void each(std::size_t count, const std::function<void(std::size_t)>& work);
   [[nodiscard]] int threads() const noexcept { return threads_; }
 
  private:
   struct Shared;
   static void help(Shared& shared);
+  void end_helpers();
 
   int threads_;
   OwnProcess process_;
   std::unique_ptr<Shared> shared_;
   std::vector<std::thread> helpers_;
+  std::atomic<bool> busy_ = false;
 };
 
 }  // namespace gaitway::python

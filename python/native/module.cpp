@@ -64,7 +64,12 @@ struct HeldView {
 };
 
 int get_view_buffer(PyObject* self, Py_buffer* buffer, int flags) {
-  const std::span<std::byte> value = nb::cast<HeldView&>(nb::handle(self)).view->value();
+  HeldView* held = nullptr;
+  if (!nb::try_cast(nb::handle(self), held) || held == nullptr || !held->view) {
+    PyErr_SetString(PyExc_BufferError, "a view of nothing: views come from Robot.view()");
+    return -1;
+  }
+  const std::span<std::byte> value = held->view->value();
   return PyBuffer_FillInfo(buffer, self, value.data(), static_cast<Py_ssize_t>(value.size()), 1, flags);
 }
 
@@ -114,9 +119,22 @@ void advance(HeldRun& held, std::int64_t milliseconds) {
   alone(held, [milliseconds](RobotRun& run) { run.advance(milliseconds); });
 }
 
-void advance_all(RunPool& pool, const std::vector<HeldRun*>& held, std::int64_t milliseconds) {
+// Runs that an interpreter named, which live as long as this.
+struct NamedRuns {
+  explicit NamedRuns(const nb::sequence& sequence) {
+    for (const nb::handle run : sequence) {
+      held.push_back(nb::cast<HeldRun*>(run));
+      kept.push_back(nb::borrow(run));
+    }
+  }
+  std::vector<nb::object> kept;
+  std::vector<HeldRun*> held;
+};
+
+void advance_all(RunPool& pool, const nb::sequence& runs, std::int64_t milliseconds) {
   check_duration(milliseconds);
-  const Use use(held);
+  const NamedRuns named(runs);
+  const Use use(named.held);
   {
     const nb::gil_scoped_release free;
     pool.each(use.runs().size(), [&](std::size_t i) { use.runs()[i]->advance(milliseconds); });
@@ -124,9 +142,10 @@ void advance_all(RunPool& pool, const std::vector<HeldRun*>& held, std::int64_t 
   for (RobotRun* const run : use.runs()) run->refresh_views();
 }
 
-void restart_all(RunPool& pool, const std::vector<HeldRun*>& held, const std::vector<std::uint64_t>& seeds) {
-  if (held.size() != seeds.size()) throw std::invalid_argument("as many seeds as robots are wanted");
-  const Use use(held);
+void restart_all(RunPool& pool, const nb::sequence& runs, const std::vector<std::uint64_t>& seeds) {
+  const NamedRuns named(runs);
+  if (named.held.size() != seeds.size()) throw std::invalid_argument("as many seeds as robots are wanted");
+  const Use use(named.held);
   {
     const nb::gil_scoped_release free;
     pool.each(use.runs().size(), [&](std::size_t i) { use.runs()[i]->restart(seeds[i]); });

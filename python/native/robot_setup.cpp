@@ -81,8 +81,13 @@ void set(core::PluginEntry& plugin, const std::string& name, const std::string& 
 
 }  // namespace
 
-std::mutex& loading_lock() {
-  static std::mutex lock;
+// A process that is copied while another thread loads would have a lock that nobody opens: the copy is made
+// when nobody else loads, and begins with a lock of its own. Recursive, since who loads may itself fork.
+std::recursive_mutex& loading_lock() {
+  static std::recursive_mutex lock;
+  static const int kept_over_forks =
+      pthread_atfork([] { lock.lock(); }, [] { lock.unlock(); }, [] { new (&lock) std::recursive_mutex; });
+  static_cast<void>(kept_over_forks);
   return lock;
 }
 

@@ -39,7 +39,7 @@ struct RobotChoice {
 
 // What is global to the process (the log of the URDF reader, for one) is used by one robot at a time: whoever
 // reads a description or loads plug-ins holds this lock.
-[[nodiscard]] std::mutex& loading_lock();
+[[nodiscard]] std::recursive_mutex& loading_lock();
 
 class RobotSetup {
  public:

@@ -149,6 +149,81 @@ def test_fork():
     subprocess.run([sys.executable, "-c", FORK], check=True, timeout=120)
 
 
+def busy_of(work, times):
+    """How often two threads that do the same work at once are told that somebody else is at it."""
+    told = []
+
+    def again():
+        for _ in range(times):
+            try:
+                work()
+            except gaitway.BusyError:
+                told.append(1)
+
+    threads = [threading.Thread(target=again) for _ in range(2)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    return len(told)
+
+
+def test_a_vector_is_for_one_thread_at_a_time():
+    vec = gaitway.make_vec(2, observation=["estimate"], threads=2, episode_s=0.08)
+    vec.reset(seed=1)
+    assert busy_of(lambda: vec.step(np.zeros((2, 3))), 6) > 0
+    vec.reset(seed=1)
+    assert len({env.robot.time_s for env in vec.envs}) == 1
+    vec.close()
+
+
+def test_a_pool_is_for_one_thread_at_a_time():
+    pool = gaitway._native.Pool(2)
+    robots = [gaitway.Robot(seed=seed) for seed in (1, 2, 3, 4)]
+    halves = iter([[robots[0]._run, robots[1]._run], [robots[2]._run, robots[3]._run]])
+    mine = threading.local()
+
+    def work():
+        if not hasattr(mine, "runs"):
+            mine.runs = next(halves)
+        pool.advance(mine.runs, 40)
+
+    assert busy_of(work, 20) > 0
+    for robot in robots:
+        robot.close()
+
+
+def test_a_view_of_nothing_is_no_buffer():
+    with pytest.raises((BufferError, TypeError)):
+        memoryview(gaitway._native.View.__new__(gaitway._native.View))
+
+
+FORK_WHILE_LOADING = """
+import os, threading, time, gaitway
+robot, stop = gaitway.Robot(seed=1), threading.Event()
+def again():
+    while not stop.is_set():
+        robot.restart(1)
+thread = threading.Thread(target=again)
+thread.start()
+children = []
+for _ in range(6):
+    time.sleep(0.05)
+    child = os.fork()
+    if child == 0:
+        gaitway.Robot(seed=9).close()
+        os._exit(0)
+    children.append(child)
+stop.set()
+thread.join()
+assert all(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 0 for child in children)
+"""
+
+
+def test_a_fork_while_another_thread_loads():
+    subprocess.run([sys.executable, "-c", FORK_WHILE_LOADING], check=True, timeout=120)
+
+
 def test_a_crashing_plugin_is_refused_by_name():
     with pytest.raises((gaitway.PluginError, ValueError), match="crash"):
         gaitway.Robot(libraries=[os.environ["GAITWAY_CRASHING_PLUGIN"]])

@@ -69,7 +69,8 @@ def test_every_program_has_its_libraries(installed):
 
 def test_programs_of_python_are_found_beside_the_interpreter(installed):
     libraries = str(pathlib.Path(numpy.__file__).parents[1])
-    assert "dask://" in run(installed, "gaitway", "sweep", "--help", PYTHONPATH=libraries).stdout
+    (installed / "sweep.yaml").write_text("seeds: 1..3\nseconds: 1\n")
+    assert "3 trials" in run(installed, "gaitway", "sweep", "sweep.yaml", "--plan", "--store", "store", PYTHONPATH=libraries).stdout
 
 
 def test_other_commands_and_missing_arguments(installed):

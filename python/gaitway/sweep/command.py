@@ -89,10 +89,10 @@ def _run(options: argparse.Namespace) -> int:
         raise InputError(f"--patience {options.patience}: must be 0 or more seconds")
     sweep = read_sweep(options.file)
     store = _store(options.store)
+    _check_first(sweep, options.file)
     if options.plan:
         print(_plan(sweep, store, options.on))
         return EXIT_FINE
-    _check_first(sweep)
     prepare_folder(options.out)
     pool = pool_at(options.on)
     progress = Progress(len(sweep), options.out)
@@ -108,13 +108,13 @@ def _run(options: argparse.Namespace) -> int:
     return EXIT_FINE
 
 
-def _check_first(sweep: Sweep) -> None:
+def _check_first(sweep: Sweep, file: Path) -> None:
     """What is wrong with all trials is told before any runs."""
     for trial in itertools.islice(sweep.trials(), 1):
         try:
             kind_of(sweep.kind).check(trial.description)
         except ValueError as error:
-            raise InputError(f"no trial can run: {error}") from error
+            raise InputError(f"{file}: its first trial cannot run: {error}") from error
 
 
 def _store(folder: Path | None) -> Store:
@@ -167,7 +167,7 @@ def _words(engine: Engine, table: PartialTable, out: Path, left_out: list[str]) 
     tally = engine.tally
     lines = [f"{tally.ran} trials ran, {tally.stored} were known; {table.failed} of all have an error"]
     if engine.second_runs.agreed:
-        lines.append(f"{engine.second_runs.agreed} ran on two workers, with equal results")
+        lines.append(f"{engine.second_runs.agreed} ran a second time elsewhere, with equal results")
     if tally.not_run_twice:
         lines.append(f"{tally.not_run_twice} should have run on two workers, but there was only one")
     lines += [f"left out: {what}" for what in left_out]

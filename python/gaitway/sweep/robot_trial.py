@@ -175,7 +175,7 @@ def _libraries() -> list[Path]:
 
 def _robot(description: Json) -> Robot:
     """ValueError where nobody can make it, UnfitWorkerError where this computer cannot."""
-    from gaitway import PluginError, Robot
+    from gaitway import PluginError, Robot, _native
 
     for what in ("robot", "config", "world"):
         name = description[what]
@@ -197,8 +197,8 @@ def _robot(description: Json) -> Robot:
             parameters=parameters,
             navigation=any("walk_to" in event for event in description["events"]),
         )
-    except PluginError as error:
-        raise ValueError(str(error)) from error
+    except (PluginError, ValueError) as error:  # the same words wherever the package is installed
+        raise ValueError(str(error).replace(f"{_native.installation_root()}/share/gaitway/", "")) from error
 
 
 def _let_run(robot: Robot, events: list[Json], seconds: float) -> WalkMetrics:

@@ -8,9 +8,12 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any, NoReturn
 
-import yaml
-
 from .complaint import InputError
+
+try:
+    import yaml
+except ImportError as error:
+    raise ImportError("sweep files need PyYAML. Install the wheel with it: pip install 'gaitway-….whl[sweep]'") from error
 
 
 class Source:

@@ -17,6 +17,7 @@ from pathlib import Path
 from uuid import uuid4
 
 from .canonical import text_hash
+from .complaint import ResultsError
 
 WRITERS = 16  # side by side: the disk then brings many files in one go
 LEFT_OVER_S = 3600.0  # what a killed process began to write is removed after that
@@ -52,9 +53,12 @@ class Store:
         try:
             kept = json.loads(self._place(key).read_bytes())
             text = kept["result"]
+            json.loads(text)
             return text if kept["key"] == key and kept["check"] == text_hash(text) else None
-        except (FileNotFoundError, ValueError, KeyError, TypeError):
+        except (FileNotFoundError, ValueError, KeyError, TypeError, RecursionError):
             return None
+        except OSError as error:
+            raise ResultsError(f"{self._place(key)}: {error.strerror}. Remove it, or choose another --store") from error
 
     def has(self, key: str) -> bool:
         """Without a look into it."""

@@ -21,6 +21,7 @@ FIELDS = (
     "trial", "robots", "configs", "seeds", "seconds", "mismatch", "worlds", "world_seed", "conditions", "scenario",
     "scenarios", "parameters", "design", "measures",
 )
+RESERVED = ("trial", "robot", "config", "world", "scenario", "mismatch", "seed", "error")
 REHEARSAL_FIELDS = ("trial", "seeds", "parameters", "design", "measures")
 MOST_TRIALS = 10_000_000
 MOST_SEED = 2**64 - 1
@@ -97,6 +98,9 @@ def read_sweep(file: Path) -> Sweep:
         root.refuse("has no 'seeds'", "Add for example 'seeds: 1..10'")
     design = _design(fields)
     measures = tuple(one.text() for one in fields["measures"].items()) if "measures" in fields else ()
+    for parameter in design.parameters:
+        if parameter in RESERVED:
+            fields["parameters"].fields()[parameter].refuse("is the name of a column that each table has", "Choose another name")
     if name == "rehearsal":
         sweep = Sweep(name, {"seed": _seeds(fields["seeds"])}, design, {}, {}, measures)
     else:

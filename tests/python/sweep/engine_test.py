@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from gaitway.sweep.complaint import DisagreementError, NoWorkersError, TrialError
+from gaitway.sweep.complaint import DisagreementError, NoWorkersError, ResultsError, TrialError
 from gaitway.sweep.engine import MOST_IN_REQUEST, Engine
 from gaitway.sweep.pool import Member, Report
 from gaitway.sweep.store import Store
@@ -117,6 +117,17 @@ def test_a_broken_file_in_the_store_runs_again(store: Store) -> None:
     victim.write_bytes(victim.read_bytes()[:-20])
     engine, results = run(MadeUpPool(a=perform), store, 3)
     assert (engine.tally.stored, engine.tally.ran, len(results)) == (2, 1, 3)
+
+
+def test_what_cannot_be_read_in_the_store_is_named(store: Store) -> None:
+    [trial] = trials(1)
+    place = store.folder / trial.key[:2] / f"{trial.key[2:]}.json"
+    place.mkdir(parents=True)
+    with pytest.raises(ResultsError, match=trial.key[2:]):
+        store.find(trial.key)
+    place.rmdir()
+    place.write_text("[" * 200_000)
+    assert store.find(trial.key) is None
 
 
 def test_a_worker_that_computes_otherwise_is_refused_by_name(store: Store) -> None:

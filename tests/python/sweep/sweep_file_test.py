@@ -42,6 +42,12 @@ def test_drawn_points_are_the_same_again_and_others_with_another_seed(tmp_path: 
     assert all(1 <= point <= 101 for point in points(1))
 
 
+@pytest.mark.parametrize("name", ["trial", "seed", "mismatch", "error"])
+def test_a_parameter_does_not_take_a_columns_name(tmp_path: pathlib.Path, name: str) -> None:
+    with pytest.raises(InputError, match="column"):
+        read_sweep(written(tmp_path, f"trial: rehearsal\nseeds: [1]\nparameters: {{{name}: [1, 2]}}\n"))
+
+
 def test_a_latin_hypercube_has_a_point_in_each_slice() -> None:
     design = Design("latin_hypercube", {"a": Range(0, 40, None, False, ""), "b": Values(("x", "y"))}, 40, 7)
     points = list(design.points())
