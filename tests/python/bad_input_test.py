@@ -172,8 +172,15 @@ def test_a_vector_is_for_one_thread_at_a_time():
     vec = gaitway.make_vec(2, observation=["estimate"], threads=2, episode_s=0.08)
     vec.reset(seed=1)
     assert busy_of(lambda: vec.step(np.zeros((2, 3))), 6) > 0
+    assert len({env.robot.time_s for env in vec.envs}) == 1, "a step is of all or of none"
+    vec.close()
+
+
+def test_a_reward_does_not_step_its_own_vector():
+    vec = gaitway.make_vec(2, observation=["estimate"], reward=lambda _: vec.step(np.zeros((2, 3))))
     vec.reset(seed=1)
-    assert len({env.robot.time_s for env in vec.envs}) == 1
+    with pytest.raises(gaitway.BusyError):
+        vec.step(np.zeros((2, 3)))
     vec.close()
 
 
