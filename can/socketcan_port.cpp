@@ -43,6 +43,7 @@ SocketCanPort::SocketCanPort(const std::string& interface, const SocketCanOption
   options_.transmit_buffers = std::clamp<std::size_t>(options_.transmit_buffers, 1, FrameHeap::kCapacity);
   if (const auto link = read_link(socket_->index())) {
     bit_time_ns_ = link->bitrate_per_s > 0 ? 1'000'000'000 / std::int64_t{link->bitrate_per_s} : bit_time_ns_;
+    virtual_ = link->kind == "vcan" || link->kind == "vxcan";
     counters_ = link->counters;
     enter(link->state.value_or(BusState::error_active));
   }

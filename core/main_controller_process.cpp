@@ -229,6 +229,7 @@ int run(Options options) {
   try {
     client.emplace(msgclient::Client::connect(options.socket, "main_controller"));
     refuse_second(*client, options);
+    options.controller.simulated = msgclient::is_marked_simulated(*client);
     return control(robot, *client, options);
   } catch (const msgclient::TopicError& error) {
     // At whatever step of the start it went away.

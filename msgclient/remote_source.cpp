@@ -19,6 +19,8 @@
 namespace gaitway::msgclient {
 namespace {
 
+constexpr std::string_view kSimulated = "bus.simulated";
+
 // The connection; handles keep it alive, since the server takes its end for the end of all claims.
 // model: watch.3
 class Connection {
@@ -214,6 +216,15 @@ std::optional<TopicInfo> Client::find(std::string_view topic) const {
   const auto found =
       std::ranges::find_if(rows, [&](const TopicInfo& row) { return row.descriptor.name == topic; });
   return found == rows.end() ? std::nullopt : std::optional(std::move(*found));
+}
+
+TopicGrant mark_simulated(Client& message_controller) {
+  return message_controller.open_window(kSimulated, sizeof(std::uint64_t), Role::writer);
+}
+
+bool is_marked_simulated(const Client& client) {
+  const std::optional<TopicInfo> mark = client.find(kSimulated);
+  return mark && mark->writer == "message_controller";
 }
 
 }  // namespace gaitway::msgclient

@@ -56,6 +56,8 @@ class BusConnection {
   [[nodiscard]] const can::SocketCanPort* interface() const noexcept {
     return interface_ ? &*interface_ : nullptr;
   }
+  // No hardware is on it, and so no robot of metal.
+  [[nodiscard]] bool is_simulated() const noexcept { return !interface_ || interface_->is_virtual(); }
   // Times that the bus went away, and how long it was away in all.
   [[nodiscard]] std::uint64_t outages() const noexcept { return outages_; }
   [[nodiscard]] std::int64_t away_ns() const noexcept { return away_ns_; }

@@ -251,6 +251,8 @@ int run(const Options& options) {
   if (!bus) {
     return kExitFine;
   }
+  std::optional<msgclient::TopicGrant> simulated;
+  if (bus->is_simulated()) simulated.emplace(msgclient::mark_simulated(client));
   block.beat(process::monotonic_ns());
   msgclient::MemoryBlockServer server(block, options.memory);
   std::optional<Summary> summary;

@@ -176,6 +176,10 @@ PluginEntry read_plugin(const YamlValue& map, const std::vector<PluginEntry>& ot
   entry.library = library ? library_of(*library) : fmt::format("libgaitway_plugin_{}.so", entry.name);
   if (const auto isolation = map.find("isolation")) {
     entry.isolation = isolation_of(*isolation);
+    if (is_python(entry.library) && entry.isolation == Isolation::none) {
+      isolation->refuse("must be 'process' for a plug-in in Python",
+                        "Leave it out: it has a process of its own");
+    }
   }
   const auto parameters = map.find("parameters");
   if (parameters && !parameters->is_empty()) {
@@ -185,7 +189,7 @@ PluginEntry read_plugin(const YamlValue& map, const std::vector<PluginEntry>& ot
   }
   entry.schedule = schedule_of(map);
   entry.containment = read_containment(map);
-  entry.child = read_child_settings(map, entry.isolation == Isolation::process);
+  entry.child = read_child_settings(map, has_own_process(entry));
   // What users reach the robot through is never put out of service.
   entry.containment.give_up.never = entry.child.local_sockets && !map.find("give_up_after");
   return entry;

@@ -26,29 +26,6 @@ namespace {
 
 constexpr const char* kEntrySymbol = "gaitway_plugin_entry";
 
-std::filesystem::path find_library(const std::string& library, const std::filesystem::path& base,
-                                   const SearchPath& path) {
-  SearchPath places;
-  if (library.find('/') != std::string::npos) {
-    places.push_back(base / library);
-  } else {
-    for (const std::filesystem::path& folder : path) {
-      places.push_back(folder / library);
-    }
-  }
-  std::string tried;
-  for (const std::filesystem::path& place : places) {
-    std::error_code ignored;
-    if (std::filesystem::is_regular_file(place, ignored)) {
-      return place;
-    }
-    tried += (tried.empty() ? "" : ", ") + place.string();
-  }
-  throw PluginError(
-      fmt::format("no library '{}'; tried {}. Build it, or put its folder into GAITWAY_PLUGIN_PATH", library,
-                  tried.empty() ? "nowhere: the search path is empty" : tried));
-}
-
 #if defined(__x86_64__)
 constexpr Elf64_Half kMachine = EM_X86_64;
 #elif defined(__aarch64__)
@@ -126,6 +103,30 @@ std::string loader_error(const std::string& copy, const std::filesystem::path& f
 
 }  // namespace
 
+std::filesystem::path find_plugin_file(const std::string& library, const std::filesystem::path& base,
+                                       const SearchPath& path) {
+  SearchPath places;
+  if (library.find('/') != std::string::npos) {
+    places.push_back(base / library);
+  } else {
+    for (const std::filesystem::path& folder : path) {
+      places.push_back(folder / library);
+    }
+  }
+  std::string tried;
+  for (const std::filesystem::path& place : places) {
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(place, ignored)) {
+      return place;
+    }
+    tried += (tried.empty() ? "" : ", ") + place.string();
+  }
+  const char* const remedy = is_python(library) ? "Write './' before what lies beside the configuration"
+                                                : "Build it, or put its folder into GAITWAY_PLUGIN_PATH";
+  throw PluginError(fmt::format("no library '{}'; tried {}. {}", library,
+                                tried.empty() ? "nowhere: the search path is empty" : tried, remedy));
+}
+
 void check_border(const gaitway_plugin& entry, const std::filesystem::path& file, std::uint32_t minor) {
   constexpr std::string_view kRemedy = "Build the plug-in anew against this version's headers";
   if (entry.magic != GAITWAY_PLUGIN_MAGIC) {
@@ -192,6 +193,9 @@ SearchPath plugin_search_path(const SearchPath& given) {
 }
 
 LibraryCopy::LibraryCopy(const std::filesystem::path& file) {
+  if (is_python(file.native())) {
+    refuse_library(file, "is a plug-in in Python, which only its interpreter loads. Here it cannot be used");
+  }
   const process::FileDescriptor source(open(file.c_str(), O_RDONLY | O_CLOEXEC));
   struct stat status {};
   if (!source || fstat(source.get(), &status) != 0) {
@@ -220,7 +224,7 @@ std::string LibraryCopy::path() const {
 
 PluginLibrary::PluginLibrary(const std::string& library, const std::filesystem::path& base,
                              const SearchPath& path)
-    : file_(find_library(library, base, path)),
+    : file_(find_plugin_file(library, base, path)),
       copy_(file_),
       handle_(dlopen(copy_.path().c_str(), RTLD_NOW | RTLD_LOCAL)) {
   if (handle_ == nullptr) {

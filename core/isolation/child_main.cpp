@@ -1,16 +1,10 @@
 // The `gaitway_plugin_child` process: one plug-in of a main controller that keeps it at arm's length. Started
 // by the plug-in manager alone.
-#include <fcntl.h>
-#include <signal.h>
-#include <sys/prctl.h>
 #include <unistd.h>
 
 #include <cstdio>
-#include <cstdlib>
-#include <exception>
-#include <string_view>
+#include <memory>
 
-#include "bounds.hpp"
 #include "child_program.hpp"
 
 #if defined(__SANITIZE_ADDRESS__)
@@ -23,29 +17,12 @@ extern "C" const char* __asan_default_options() {
 #endif
 
 int main(int argc, char** argv) {
-  using namespace gaitway;
-  constexpr int kExitBadInput = 1;
-  if (argc != 5 || fcntl(core::kChildSocket, F_GETFD) < 0) {
-    std::fprintf(
-        stderr,
-        "gaitway_plugin_child is started by the main controller, for plug-ins with `isolation: process` "
-        "in its configuration\n");
-    return kExitBadInput;
-  }
-  prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0);
-  if (getppid() != static_cast<pid_t>(std::strtol(argv[1], nullptr, 10))) {
-    return 0;  // it is gone already
-  }
-  const core::ChildBounds bounds{.memory_limit_bytes = std::strtoull(argv[2], nullptr, 10),
-                                 .descriptor_limit = std::strtoull(argv[3], nullptr, 10),
-                                 .local_sockets = std::string_view(argv[4]) == core::kLocalSockets};
-  core::enter_child_bounds(bounds, core::kChildSocket + 1);
-  try {
-    // _exit: what the plug-in left for the process's end must not run beside a manager that waits.
-    std::fflush(nullptr);
-    _exit(core::ChildProgram(process::FileDescriptor(core::kChildSocket)).run());
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "gaitway_plugin_child: %s\n", error.what());
-    _exit(kExitBadInput);
-  }
+  using namespace gaitway::core;
+  std::fflush(nullptr);
+  std::unique_ptr<PluginLibrary> library;
+  _exit(run_child({argv + 1, static_cast<std::size_t>(argc) - 1},
+                  [&](const std::string& name, const std::filesystem::path& base, const SearchPath& path) {
+                    library = std::make_unique<PluginLibrary>(name, base, path);
+                    return PluginCode{library->entry(), library->file()};
+                  }));
 }

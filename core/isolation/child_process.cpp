@@ -25,6 +25,7 @@ namespace gaitway::core {
 namespace {
 
 constexpr const char* kBinary = "gaitway_plugin_child";
+constexpr const char* kPythonBinary = "gaitway_python_child";
 constexpr auto kPidfdType = static_cast<idtype_t>(3);  // P_PIDFD, which older headers lack
 
 class SpawnSettings {
@@ -59,8 +60,10 @@ class SpawnSettings {
 
 }  // namespace
 
-std::filesystem::path find_plugin_child() {
-  if (const char* const given = std::getenv("GAITWAY_PLUGIN_CHILD"); given != nullptr && given[0] != '\0') {
+std::filesystem::path find_plugin_child(std::string_view library) {
+  const bool python = is_python(library);
+  const char* const given = python ? nullptr : std::getenv("GAITWAY_PLUGIN_CHILD");
+  if (given != nullptr && given[0] != '\0') {
     if (access(given, X_OK) != 0) {
       throw PluginError(
           fmt::format("GAITWAY_PLUGIN_CHILD names '{}', which cannot be run: {}", given, strerror(errno)));
@@ -71,11 +74,18 @@ std::filesystem::path find_plugin_child() {
   const std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe", unknown).parent_path();
   const std::filesystem::path root = process::installation_root();
   std::vector<std::string> tried;
-  for (const std::filesystem::path& place : {folder / kBinary, root / "bin" / kBinary}) {
+  const char* const binary = python ? kPythonBinary : kBinary;
+  for (const std::filesystem::path& place : {folder / binary, root / "bin" / binary}) {
     if (access(place.c_str(), X_OK) == 0) {
       return place;
     }
     tried.push_back(place.string());
+  }
+  if (python) {
+    throw PluginError(
+        fmt::format("a plug-in in Python needs the program {}; tried {}. Run it with Gaitway's "
+                    "Python package (pip install gaitway-*.whl)",
+                    binary, fmt::join(tried, ", ")));
   }
   throw PluginError(
       fmt::format("isolation: process needs the program {}; tried {}. Install it, or name it in "

@@ -12,10 +12,10 @@
 
 namespace gaitway::core {
 
-// The binary that GAITWAY_PLUGIN_CHILD names, or else gaitway_plugin_child beside the running executable or
-// in
-// ../libexec/gaitway. Throws PluginError with the places tried.
-[[nodiscard]] std::filesystem::path find_plugin_child();
+// What the process of a plug-in runs: gaitway_python_child for one in Python; else the binary that
+// GAITWAY_PLUGIN_CHILD names, or gaitway_plugin_child. Both are looked for beside the running executable and
+// among the programs of the installation. Throws PluginError with the places tried.
+[[nodiscard]] std::filesystem::path find_plugin_child(std::string_view library);
 
 class ChildProcess {
  public:

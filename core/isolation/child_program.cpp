@@ -9,7 +9,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <exception>
 
 #include "bounds.hpp"
 #include "gaitway/plugin/detail/plugin_border.hpp"
@@ -33,6 +36,30 @@ void end_with_manager(int socket) noexcept {
 }
 
 }  // namespace
+
+int run_child(std::span<const char* const> words, const LoadCode& load) {
+  constexpr int kExitBadInput = 1;
+  if (words.size() != 4 || fcntl(kChildSocket, F_GETFD) < 0) {
+    std::fprintf(stderr,
+                 "gaitway_plugin_child is started by the main controller, for plug-ins with `isolation: "
+                 "process` in its configuration\n");
+    return kExitBadInput;
+  }
+  prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0);
+  if (getppid() != static_cast<pid_t>(std::strtol(words[0], nullptr, 10))) {
+    return 0;  // it is gone already
+  }
+  const ChildBounds bounds{.memory_limit_bytes = std::strtoull(words[1], nullptr, 10),
+                           .descriptor_limit = std::strtoull(words[2], nullptr, 10),
+                           .local_sockets = std::string_view(words[3]) == kLocalSockets};
+  enter_child_bounds(bounds, kChildSocket + 1);
+  try {
+    return ChildProgram(process::FileDescriptor(kChildSocket), load).run();
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "gaitway_plugin_child: %s\n", error.what());
+    return kExitBadInput;
+  }
+}
 
 int ChildProgram::run() {
   if (!create() || !attach()) {
@@ -62,28 +89,28 @@ bool ChildProgram::create() {
 
 bool ChildProgram::load(const std::string& file, const std::filesystem::path& base, const SearchPath& path) {
   try {
-    library_ = std::make_unique<PluginLibrary>(file, base, path);
+    code_.emplace(load_(file, base, path));
   } catch (const PluginError& error) {
     tell(PacketWriter(ChildMessage::library_failed).text(error.what()));
     return false;
   }
-  describe_deaths_in(library_->entry());
+  describe_deaths_in(code_->entry);
   return true;
 }
 
 bool ChildProgram::construct() {
   std::array<char, kErrorBytes> text{};
-  const gaitway_status status = instance_.create(library_->entry(), {text.data(), kErrorBytes, 0});
+  const gaitway_status status = instance_.create(code_->entry, {text.data(), kErrorBytes, 0});
   static_cast<void>(take_refused_call());
   if (status != GAITWAY_OK) {
     text.back() = '\0';
     tell(PacketWriter(ChildMessage::constructor_failed).text(text.data()));
     return false;
   }
-  const gaitway_plugin& entry = library_->entry();
+  const gaitway_plugin& entry = code_->entry;
   PacketWriter created(ChildMessage::created);
   created.text(entry.name).text(entry.version).text(entry.description);
-  return tell(created.text(std::filesystem::absolute(library_->file()).lexically_normal().native()));
+  return tell(created.text(std::filesystem::absolute(code_->file).lexically_normal().native()));
 }
 
 bool ChildProgram::attach() {

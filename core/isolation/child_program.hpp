@@ -1,11 +1,15 @@
-// The other end of an isolated plug-in: loads its library, asks the manager for what it declares, and runs
+// The other end of an isolated plug-in: loads its code, asks the manager for what it declares, and runs
 // its calls on values in the shared segment.
 #pragma once
 
 #include <cstdint>
 #include <deque>
+#include <filesystem>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -36,9 +40,24 @@ enum class Resource : std::uint32_t { none = 0, memory = 1, descriptors = 2 };
 // What is as good as used up.
 [[nodiscard]] Resource exhausted_resource() noexcept;
 
+// A plug-in's code, once the child has been told which to load.
+struct PluginCode {
+  const gaitway_plugin& entry;
+  std::filesystem::path file;
+};
+// As PluginLibrary takes it. The code outlives the program. Throws PluginError.
+using LoadCode = std::function<PluginCode(const std::string& library, const std::filesystem::path& base,
+                                          const SearchPath& path)>;
+
+// A child from its command line to its end: enters its bounds, and runs what `load` loads. `words`: what the
+// manager has put after the program's name. Returns the exit code, for _exit(): what the plug-in left for the
+// process's end must not run beside a manager that waits.
+int run_child(std::span<const char* const> words, const LoadCode& load);
+
 class ChildProgram final : private PluginDeclarations, private PluginSurroundings {
  public:
-  explicit ChildProgram(process::FileDescriptor socket) : socket_(std::move(socket)) {}
+  ChildProgram(process::FileDescriptor socket, LoadCode load)
+      : socket_(std::move(socket)), load_(std::move(load)) {}
   ChildProgram(const ChildProgram&) = delete;
   ChildProgram& operator=(const ChildProgram&) = delete;
 
@@ -81,7 +100,8 @@ class ChildProgram final : private PluginDeclarations, private PluginSurrounding
   gaitway_status set_parameter(const ChildRequest& request, const gaitway_text& error) noexcept;
 
   process::FileDescriptor socket_;
-  std::unique_ptr<PluginLibrary> library_;
+  LoadCode load_;
+  std::optional<PluginCode> code_;
   std::string robot_directory_, memory_socket_;
   std::deque<Port> ports_;       // stable addresses: the plug-in holds them
   std::set<std::string> texts_;  // values of parameters: the plug-in may keep them

@@ -130,7 +130,7 @@ void StartUp::take_parameter(PacketReader& packet) {
 }
 
 ChildPlan::ChildPlan(const PluginEntry& entry, const PluginSource& source, const IsolationOptions& options)
-    : binary(find_plugin_child()),
+    : binary(find_plugin_child(entry.library)),
       bounds{.memory_limit_bytes = options.memory_limit_bytes,
              .descriptor_limit = options.descriptor_limit,
              .local_sockets = entry.child.local_sockets},

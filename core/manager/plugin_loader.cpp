@@ -51,7 +51,13 @@ PluginLoader::PluginLoader(const std::filesystem::path& configuration_file,
 
 std::unique_ptr<ManagedPlugin> PluginLoader::load(const PluginEntry& entry) {
   std::unique_ptr<ManagedPlugin> plugin;
-  if (entry.isolation == Isolation::process) {
+  if (is_python(entry.library) && !options_.simulated) {
+    throw PluginError(fmt::format(
+        "{}:{}: plug-in '{}' is written in Python ({}), which is for simulated robots alone; this message "
+        "controller does not say that its robot is one. Write it in C++",
+        configuration_file_.string(), entry.line, entry.name, entry.library));
+  }
+  if (has_own_process(entry)) {
     plugin = std::make_unique<IsolatedPlugin>(entry, source(), options_.isolation, events_);
   } else {
     plugin = std::make_unique<LoadedPlugin>(entry, source(), events_);
@@ -61,9 +67,8 @@ std::unique_ptr<ManagedPlugin> PluginLoader::load(const PluginEntry& entry) {
 }
 
 std::unique_ptr<PluginTrial> PluginLoader::try_out(const PluginEntry& entry) const {
-  return entry.isolation == Isolation::none
-             ? std::make_unique<PluginTrial>(entry, source(), options_.isolation)
-             : nullptr;
+  return has_own_process(entry) ? nullptr
+                                : std::make_unique<PluginTrial>(entry, source(), options_.isolation);
 }
 
 void PluginLoader::contain(PluginSlot& slot) {

@@ -13,4 +13,5 @@ def main() -> None:
         sys.exit(f"gaitway: {program} is missing: this package was built without the programs")
     # What else came with the package, such as gaitway-sweep, lies beside this interpreter, whether or not the path says so.
     os.environ["PATH"] = os.pathsep.join([str(pathlib.Path(sys.executable).parent), os.environ.get("PATH", os.defpath)])
+    os.environ.setdefault("GAITWAY_PYTHON", sys.executable)  # for plug-ins in Python
     os.execv(program, [str(program), *sys.argv[1:]])

@@ -6,6 +6,7 @@ import json
 import math
 import operator
 import os
+import sys
 from collections.abc import Iterable, Mapping
 from typing import Any, NamedTuple, NoReturn, TypeAlias
 
@@ -18,6 +19,9 @@ from gaitway._native import Snapshot as Snapshot
 StructuredArray: TypeAlias = "np.ndarray[Any, np.dtype[Any]]"
 MILLISECONDS_A_SLICE = 1000  # of a long run, between which a keyboard's interrupt is heard
 PUSH_S = 0.1
+
+if sys.executable:  # what the processes of plug-ins in Python run
+    os.environ.setdefault("GAITWAY_PYTHON", sys.executable)
 
 
 class Event(NamedTuple):

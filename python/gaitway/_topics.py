@@ -38,6 +38,7 @@ class Topic:
 
     name: str
     type_name: str
+    type_hash: int
     doc: str
     writer: str
     period_s: float
@@ -67,11 +68,11 @@ def _field(raw: _native.RawField) -> Field:
 
 
 def _topic(index: int, raw: _native.RawTopic) -> Topic:
-    name, type_name, size, _, doc, writer, period_ns, raw_fields = raw
+    name, type_name, size, type_hash, doc, writer, period_ns, raw_fields = raw
     fields = {field[0]: _field(field) for field in raw_fields}
     dtype = np.dtype({"names": list(fields), "formats": [(field.dtype, field.shape) for field in fields.values()],
                       "offsets": [field.offset for field in fields.values()], "itemsize": size})
-    return Topic(name, type_name, doc, writer, period_ns * 1e-9, dtype, types.MappingProxyType(fields), index)
+    return Topic(name, type_name, type_hash, doc, writer, period_ns * 1e-9, dtype, types.MappingProxyType(fields), index)
 
 
 @functools.cache

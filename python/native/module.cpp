@@ -17,6 +17,7 @@
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/process/installation.hpp"
 #include "held_run.hpp"
+#include "plugin_process.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -375,6 +376,7 @@ void bind(nb::module_& module) {
   bind_errors(module);
   bind_setup(module);
   bind_run(module);
+  bind_plugin_process(module);
 }
 
 }  // namespace gaitway::python

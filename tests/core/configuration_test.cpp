@@ -125,6 +125,17 @@ TEST(Configuration, ReadsWhatAProcessMay) {
   EXPECT_FALSE(none.containment.give_up.never);
 }
 
+TEST(Configuration, APluginInPythonHasItsProcessUnasked) {
+  const PluginEntry python = entry_with("library: ./sway.py, memory: 1 GiB");
+  EXPECT_TRUE(has_own_process(python));
+  EXPECT_EQ(python.child.memory_limit_bytes, 1024U << 20U);
+  EXPECT_TRUE(has_own_process(entry_with("library: ./sway.py, isolation: process")));
+  EXPECT_FALSE(has_own_process(entry_with("library: sway.py.so")));
+  EXPECT_THAT(
+      refusal("plugins:\n  - name: a\n    library: ./sway.py\n    isolation: none\n"),
+      HasSubstr("walk.yaml:4: plugins[0].isolation = 'none': must be 'process' for a plug-in in Python"));
+}
+
 TEST(Configuration, RefusesWhatNoProcessMay) {
   const auto refused = [](const std::string& keys) {
     return refusal("plugins:\n  - name: a\n    " + keys + "\n");

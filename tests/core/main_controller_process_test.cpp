@@ -382,6 +382,26 @@ TEST_F(MainControllerProcess, BadConfigurationIsNamedAndNothingMoves) {
   EXPECT_EQ(batches, 0);
 }
 
+// A message controller that has hardware on its bus, or does not say, has a robot of metal.
+TEST_F(MainControllerProcess, APluginInPythonIsForSimulatedRobotsAlone) {
+  configure("  - {name: sway, library: ./nowhere.py}\n");
+  launch_normally();
+  EXPECT_EQ(serve(20.0), 1);
+  EXPECT_THAT(output(), testing::HasSubstr("test.yaml:2: plug-in 'sway' is written in Python (./nowhere.py), "
+                                           "which is for simulated robots alone"));
+  {
+    const msgclient::TopicGrant mark = msgclient::mark_simulated(served->client);
+    launch_normally();
+    EXPECT_EQ(serve(20.0), 1);
+    EXPECT_THAT(output(), testing::Not(testing::HasSubstr("for simulated robots alone")));
+    EXPECT_THAT(output(), testing::HasSubstr("nowhere.py"));
+  }
+  launch_normally();
+  EXPECT_EQ(serve(20.0), 1);
+  EXPECT_THAT(output(), testing::HasSubstr("for simulated robots alone"));
+  EXPECT_EQ(batches, 0);
+}
+
 TEST_F(MainControllerProcess, MissingSocketIsNamed) {
   launch({"--socket", "/nowhere/s.sock", "--robot", GAITWAY_TEST_ROBOT, "--config",
           (folder / "test.yaml").string()});

@@ -89,6 +89,12 @@ core::Configuration plugins_of(const SimulatorOptions& options, const world::Wor
   std::erase_if(configuration.plugins,
                 [&api](const core::PluginEntry& entry) { return entry.name == api.name; });
   for (core::PluginEntry& entry : configuration.plugins) {
+    if (core::is_python(entry.library)) {
+      throw std::invalid_argument(fmt::format(
+          "{}, line {}: plug-in '{}' is written in Python, which has a process of its own, and none "
+          "can be rewound. Try it with gaitway run or gaitway serve",
+          configuration.file.string(), entry.line, entry.name));
+    }
     if (entry.isolation == core::Isolation::none) continue;
     fmt::print(
         stderr,

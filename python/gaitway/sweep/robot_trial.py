@@ -27,6 +27,7 @@ MEASURES = (
 )
 SHIPPED = {"robot": ("urdf", "robot.yaml"), "config": ("config", ".yaml"), "world": ("worlds", ".yaml")}
 PARAMETER = re.compile(r"[A-Za-z_]\w*\.[A-Za-z_]\w*")
+LIBRARY_PATH = re.compile(r"""\blibrary:\s*["']?([^\s"',}]*/[^\s"',}]+)""")
 AFTER_FALL_S = 1.0
 SAMPLE_MS = 10
 FIRST_SAMPLE_MS = 5  # a millisecond after a tick, as in a run's summary
@@ -124,11 +125,19 @@ def content_of(what: str, name: str) -> str:
     """Of a robot's folder, a configuration or a world. UnfitWorkerError where this computer has none."""
     place = place_of(what, name)
     files = sorted(file for file in place.rglob("*") if file.is_file()) if place.is_dir() else [place]
+    if what == "config" and place.is_file():
+        files += _plugins_named_in(place)
     try:
         stamps = tuple((str(file), file.stat().st_size, file.stat().st_mtime_ns) for file in files)
         return _content(str(place), stamps)
     except OSError as error:
         raise UnfitWorkerError(f"has no {what} {name}: {error.strerror}. Share the folder, or copy it there") from error
+
+
+def _plugins_named_in(config: Path) -> list[Path]:
+    """By their paths. Of a plug-in in Python all Python files of its folder, since it may import them."""
+    named = {config.parent / name for name in LIBRARY_PATH.findall(config.read_text())}
+    return sorted({file for library in named for file in (library.parent.glob("*.py") if library.suffix == ".py" else [library])})
 
 
 def place_of(what: str, name: str) -> Path:

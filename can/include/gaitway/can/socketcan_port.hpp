@@ -134,6 +134,8 @@ class SocketCanPort final : public BusPort {
   [[nodiscard]] std::size_t free_buffers() const noexcept;
   [[nodiscard]] const SocketCanStatistics& statistics() const noexcept { return statistics_; }
   [[nodiscard]] const std::string& interface() const noexcept { return interface_; }
+  // An interface without hardware, as far as the kernel says: all that is on it is on this computer.
+  [[nodiscard]] bool is_virtual() const noexcept { return virtual_; }
   // Why the last request for a restart was refused, and what to do; empty when none was.
   [[nodiscard]] std::string restart_problem() const;
 
@@ -169,6 +171,7 @@ class SocketCanPort final : public BusPort {
   FrameHeap waiting_;
   std::optional<Frame> in_flight_;  // the kernel has it, its echo has not come
   std::int64_t in_flight_until_ns_ = 0;
+  bool virtual_ = false;
   bool kernel_full_ = false;  // until the next flush()
 
   std::array<TimedFrame, kReceived> received_;  // a ring

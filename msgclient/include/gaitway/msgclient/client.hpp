@@ -104,4 +104,9 @@ class Client {
   std::string name_;
 };
 
+// Of the message controller, as long as it keeps what this returns: no hardware is on its bus. Who finds no
+// such mark may have a robot of metal before it.
+[[nodiscard]] TopicGrant mark_simulated(Client& message_controller);
+[[nodiscard]] bool is_marked_simulated(const Client& client);
+
 }  // namespace gaitway::msgclient

@@ -3,7 +3,9 @@
 //
 //   plugins:
 //     - name: trajectory                           # unique; also what faults and statistics are called by
-//       library: libgaitway_plugin_trajectory.so   # on the search path; default: libgaitway_plugin_<name>.so
+//       library: libgaitway_plugin_trajectory.so   # on the search path; default:
+//       libgaitway_plugin_<name>.so;
+//                                                  # or a plug-in in Python: ./sway.py
 //       parameters: {step_time: 0.4 s, lift: 0.03 m}
 //       budget: 5 ms                               # of a step
 //       fallback: safe_tail                        # see FallbackKind
@@ -101,6 +103,16 @@ struct PluginEntry {
   ContainmentSettings containment = {};
   ChildSettings child = {};
 };
+
+// A plug-in in Python is named by its file, NAME.py, in the place of a library: an interpreter runs it.
+[[nodiscard]] constexpr bool is_python(std::string_view library) noexcept {
+  return library.ends_with(".py");
+}
+
+// As its entry says; an interpreter is always in a process of its own.
+[[nodiscard]] constexpr bool has_own_process(const PluginEntry& entry) noexcept {
+  return entry.isolation == Isolation::process || is_python(entry.library);
+}
 
 struct Configuration {
   std::filesystem::path file;

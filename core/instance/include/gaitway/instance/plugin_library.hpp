@@ -18,6 +18,12 @@ using SearchPath = std::vector<std::filesystem::path>;
 // folder of the shipped plug-ins; each once.
 [[nodiscard]] SearchPath plugin_search_path(const SearchPath& given);
 
+// The file of a plug-in: a name that is looked for on `path`, or a path (with a slash), relative to `base`.
+// Throws PluginError: no such file (with all places tried).
+[[nodiscard]] std::filesystem::path find_plugin_file(const std::string& library,
+                                                     const std::filesystem::path& base,
+                                                     const SearchPath& path);
+
 // Two builds that disagree on the border must not call each other: throws PluginError unless a host that
 // speaks this minor number of the ABI can load the plug-in. `file` is for the message.
 void check_border(const gaitway_plugin& entry, const std::filesystem::path& file,
@@ -43,9 +49,8 @@ class LibraryCopy {
 // others relative to itself ($ORIGIN) does not find them.
 class PluginLibrary {
  public:
-  // `library`: a file name that is looked for on `path`, or a path (with a slash), relative to `base`. Throws
-  // PluginError: no such file (with all places tried), no shared library for this machine, a symbol that is
-  // missing, no entry symbol, another ABI or struct size.
+  // Found as find_plugin_file() does. Throws PluginError: no such file, no shared library for this machine, a
+  // symbol that is missing, no entry symbol, another ABI or struct size.
   PluginLibrary(const std::string& library, const std::filesystem::path& base, const SearchPath& path);
 
   [[nodiscard]] const gaitway_plugin& entry() const noexcept { return *entry_; }

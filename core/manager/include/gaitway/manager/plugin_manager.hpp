@@ -74,7 +74,7 @@ class PluginManager {
   // Of an entry's set-up at the start. A process of its own has its own limit of time, and a crash there
   // stays there.
   [[nodiscard]] StepWatch* watch_of(const PluginEntry& entry) const noexcept {
-    return entry.isolation == Isolation::none ? options_.step_watch : nullptr;
+    return has_own_process(entry) ? nullptr : options_.step_watch;
   }
   int step_all(const Tick& tick) noexcept;
 
