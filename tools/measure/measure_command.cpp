@@ -63,7 +63,8 @@ int jobs_of(const MeasureGaitOptions& options) {
   return options.jobs ? *options.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-// Loads everything once, so that what is wrong with it is said before the first trial.
+// Loads everything once, so that what is wrong with it is said before the first trial. A worker's plug-ins
+// have been tried by whoever asks.
 TrialRobot load(const MeasureGaitOptions& options) {
   TrialRobot robot{urdf::load_robot(options.robot), core::read_configuration(options.config)};
   msgcontroller::require_proven_network(robot.model, false);
@@ -78,7 +79,7 @@ TrialRobot load(const MeasureGaitOptions& options) {
   simulator::CosimulationOptions once;
   once.main_controller.configuration = options.config;
   once.main_controller.plugins = robot.plugins;
-  once.main_controller.try_at_start = true;
+  once.main_controller.try_at_start = !options.plays_series;
   const simulator::Cosimulation loads(robot.model, once);
   return robot;
 }

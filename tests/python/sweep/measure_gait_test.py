@@ -154,7 +154,8 @@ def description(**more: object) -> dict[str, object]:
 
 def fingerprint() -> str:
     line = [program(), "measure", "gait", "--quick", "--plays-series"]
-    return json.loads(subprocess.run(line, input=b"", capture_output=True, check=True).stdout.splitlines()[0])["fingerprint"]
+    hello = subprocess.run(line, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, check=True).stdout
+    return json.loads(hello)["fingerprint"]
 
 
 def test_a_worker_with_another_robot_or_without_it_is_unfit() -> None:
