@@ -71,6 +71,9 @@ def test_programs_of_python_are_found_beside_the_interpreter(installed):
     libraries = str(pathlib.Path(numpy.__file__).parents[1])
     (installed / "sweep.yaml").write_text("seeds: 1..3\nseconds: 1\n")
     assert "3 trials" in run(installed, "gaitway", "sweep", "sweep.yaml", "--plan", "--store", "store", PYTHONPATH=libraries).stdout
+    measured = run(installed, "gaitway", "measure", "gait", "--quick", "--seeds", "1", "--rows", "push_front", "--on", "local:1",
+                   "--store", "store", "--out", "gait", PYTHONPATH=libraries).stdout
+    assert "0 known from gait/trials.jsonl or the store" in measured
 
 
 def test_other_commands_and_missing_arguments(installed):

@@ -1,11 +1,8 @@
-// A pool of processes plays the trials; each row's search says which level comes next. The unit of work is
-// one seed at one level: its trials run one after the other and end with the first failure.
+// Each row's search says which level comes next; what its seeds do there is played at a place for trials. The
+// unit of work is one seed at one level: its trials count one after the other and end with the first failure.
 #include "tools/measure/gait_measurement.hpp"
 
-#include <poll.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
 #include <deque>
 #include <list>
@@ -13,12 +10,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <span>
-#include <system_error>
 #include <utility>
 
-#include "gaitway/process/working_copy.hpp"
 #include "tools/measure/level_search.hpp"
-#include "tools/measure/trial_run.hpp"
+#include "tools/measure/trials_elsewhere.hpp"
+#include "tools/measure/trials_here.hpp"
 
 namespace gaitway::tools {
 namespace {
@@ -53,35 +49,27 @@ struct RowRun {
 };
 
 struct Unit {
-  RowRun* row = nullptr;
+  RowRun* run = nullptr;
   std::size_t level = 0;
   int seed_index = 0;
-  std::vector<Trial> trials;
+  SeedTrials seed;
 };
 
-double seconds_of(std::span<const Trial> trials) {
-  double sum_s = 0.0;
-  for (const Trial& trial : trials) {
-    sum_s += trial.seconds;
-  }
-  return sum_s;
-}
-
-// A unit whose trials run in a copy of the process.
-struct Worker {
+// A unit whose trials are played.
+struct UnitRun {
   Unit unit;
-  std::vector<Trial> trials;  // of the unit, that are not known
-  std::size_t told = 0;       // outcomes of them
-  process::WorkingCopy copy;
+  TrialPlace::Ticket ticket = 0;
+  std::size_t told = 0;   // outcomes
+  double told_s = 0.0;    // virtual time of theirs
+  std::uint64_t ran = 0;  // of them; the others were known to somebody
 };
 
-class Pool {
+class Searches {
  public:
-  Pool(const TrialRobot& robot, TrialStore& store, const GaitMeasurementOptions& options)
-      : robot_(robot), store_(store), options_(options) {}
+  Searches(TrialStore& store, const GaitMeasurementOptions& options) : store_(store), options_(options) {}
 
   // Returns when all searches of the rows are over.
-  void measure(const std::vector<RowRun*>& rows, int jobs);
+  void measure(const std::vector<RowRun*>& rows, TrialPlace& place);
   void count(GaitMeasurement& measurement) const {
     measurement.trials_run = trials_run_;
     measurement.trials_known = trials_known_;
@@ -89,60 +77,70 @@ class Pool {
 
  private:
   void plan_next_level(RowRun& row);
-  void start_next();
-  [[nodiscard]] std::vector<Trial> unknown_trials(const Unit& unit) const;
-  void listen_to_workers();
-  void listen_to(Worker& worker);
-  void finish(const Worker& worker);
-  void give_up(const RowRun& row, std::size_t level);
-  void skip_rest(const Worker& worker);
+  void start_next(TrialPlace& place);
+  [[nodiscard]] std::vector<std::size_t> unknown_trials(const SeedTrials& seed) const;
+  void take(const TrialPlace::News& news);
+  void finish(const UnitRun& run, TrialPlace& place);
+  void give_up(const RowRun& row, std::size_t level, TrialPlace& place);
+  void skip_rest(const UnitRun& run);
   // The seed's result if all of it that counts is in the store.
-  [[nodiscard]] std::optional<SeedResult> known_result(const Unit& unit) const;
-  static void add(const Unit& unit, const Trial& trial, const TrialOutcome& outcome, SeedResult& result);
-  // The unit's other trials change nothing.
-  [[nodiscard]] static bool ends(const Unit& unit, const Trial& trial, const TrialOutcome& outcome);
-  static void note(LevelRun& run, const Unit& unit, SeedResult result);
+  [[nodiscard]] std::optional<SeedResult> known_result(const SeedTrials& seed) const;
+  static void add(const SeedTrials& seed, const Trial& trial, const TrialOutcome& outcome,
+                  SeedResult& result);
+  static void note(LevelRun& run, int seed_index, SeedResult result);
   static void close(RowRun& row, LevelRun& run);
   [[nodiscard]] std::uint64_t seed_of(int index) const {
     return options_.first_seed + static_cast<std::uint64_t>(index);
   }
   void note_progress(const Unit& unit, std::size_t trials, double seconds);
+  void tell_progress(const TrialPlace& place);
 
-  const TrialRobot& robot_;
   TrialStore& store_;
   const GaitMeasurementOptions& options_;
 
   std::deque<Unit> waiting_;
-  std::list<Worker> workers_;
+  std::list<UnitRun> running_;
   std::uint64_t trials_run_ = 0, trials_known_ = 0, trials_done_ = 0, trials_planned_ = 0;
   double planned_s_ = 0.0, done_s_ = 0.0;  // virtual time
   double played_s_ = 0.0;                  // virtual time, of trials that really ran
+  std::string row_;                        // of the newest outcome
   Clock::time_point started_ = Clock::now();
 };
 
-void Pool::measure(const std::vector<RowRun*>& rows, int jobs) {
+void Searches::measure(const std::vector<RowRun*>& rows, TrialPlace& place) {
   for (RowRun* const row : rows) {
     plan_next_level(*row);
   }
-  while (!waiting_.empty() || !workers_.empty()) {
-    while (!waiting_.empty() && workers_.size() < static_cast<std::size_t>(jobs)) {
-      start_next();
+  while (!waiting_.empty() || !running_.empty()) {
+    while (!waiting_.empty() && place.has_room()) {
+      start_next(place);
     }
-    listen_to_workers();
+    const std::vector<TrialPlace::News> all = place.wait();
+    std::ranges::for_each(all, [this](const TrialPlace::News& news) { take(news); });
+    for (const TrialPlace::News& news : all) {
+      const auto run = std::ranges::find(running_, news.ticket, &UnitRun::ticket);
+      if (!news.done || run == running_.end()) {
+        continue;
+      }
+      std::list<UnitRun> finished;  // apart from those that its result makes vain
+      finished.splice(finished.begin(), running_, run);
+      finish(finished.front(), place);
+    }
+    tell_progress(place);
   }
 }
 
 // What the store knows is judged here, in the seeds' order: so nothing runs again that an earlier measurement
 // gave up.
-void Pool::plan_next_level(RowRun& row) {
+void Searches::plan_next_level(RowRun& row) {
   while (const std::optional<std::size_t> level = row.search.next()) {
     LevelRun& run = row.levels.try_emplace(*level, row.seeds, *level == row.search.floor()).first->second;
     std::vector<Unit> unknown;
     for (int i = 0; i < row.seeds && !run.tally.decided(); ++i) {
-      Unit unit{&row, *level, i, row.row.trials(seed_of(i), row.search.levels()[*level])};
-      if (auto result = known_result(unit)) {
+      Unit unit{&row, *level, i, {row.row, row.search.levels()[*level], seed_of(i)}};
+      if (auto result = known_result(unit.seed)) {
         trials_known_ += result->trials.size();
-        note(run, unit, std::move(*result));
+        note(run, i, std::move(*result));
       } else {
         unknown.push_back(std::move(unit));
       }
@@ -152,165 +150,139 @@ void Pool::plan_next_level(RowRun& row) {
       continue;
     }
     for (Unit& unit : unknown) {
-      trials_planned_ += unit.trials.size();
-      planned_s_ += seconds_of(unit.trials);
+      trials_planned_ += unit.seed.trials.size();
+      planned_s_ += seconds_of(unit.seed.trials);
       waiting_.push_back(std::move(unit));
     }
     return;
   }
 }
 
-std::optional<SeedResult> Pool::known_result(const Unit& unit) const {
+std::optional<SeedResult> Searches::known_result(const SeedTrials& seed) const {
   SeedResult result;
-  result.seed = seed_of(unit.seed_index);
-  for (const Trial& trial : unit.trials) {
+  result.seed = seed.seed;
+  for (const Trial& trial : seed.trials) {
     const auto outcome = store_.find(trial);
     if (!outcome) {
       return std::nullopt;
     }
-    add(unit, trial, *outcome, result);
-    if (ends(unit, trial, *outcome)) {
+    add(seed, trial, *outcome, result);
+    if (seed.end_with(trial, *outcome)) {
       break;
     }
   }
   return result;
 }
 
-std::vector<Trial> Pool::unknown_trials(const Unit& unit) const {
-  std::vector<Trial> unknown;
-  for (const Trial& trial : unit.trials) {
-    const auto outcome = store_.find(trial);
+std::vector<std::size_t> Searches::unknown_trials(const SeedTrials& seed) const {
+  std::vector<std::size_t> unknown;
+  for (std::size_t i = 0; i < seed.trials.size(); ++i) {
+    const auto outcome = store_.find(seed.trials[i]);
     if (!outcome) {
-      unknown.push_back(trial);
-    } else if (ends(unit, trial, *outcome)) {
+      unknown.push_back(i);
+    } else if (seed.end_with(seed.trials[i], *outcome)) {
       break;
     }
   }
   return unknown;
 }
 
-void Pool::add(const Unit& unit, const Trial& trial, const TrialOutcome& outcome, SeedResult& result) {
-  const GaitRow& row = unit.row->row;
+void Searches::add(const SeedTrials& seed, const Trial& trial, const TrialOutcome& outcome,
+                   SeedResult& result) {
+  const GaitRow& row = *seed.row;
   if (row.has_figure()) {
     result.figure = std::max(result.figure, row.figure(outcome, trial));
     result.passed = result.figure <= row.floor;
   } else {
-    result.passed = row.passes(outcome, trial, unit.row->search.levels()[unit.level]);
+    result.passed = row.passes(outcome, trial, seed.level);
   }
   result.trials.push_back(trial);
   result.outcomes.push_back(outcome);
 }
 
-bool Pool::ends(const Unit& unit, const Trial& trial, const TrialOutcome& outcome) {
-  const GaitRow& row = unit.row->row;
-  return !row.has_figure() && !row.passes(outcome, trial, unit.row->search.levels()[unit.level]);
+void Searches::note(LevelRun& run, int seed_index, SeedResult result) {
+  run.tally.note(seed_index, result.passed);
+  run.results[static_cast<std::size_t>(seed_index)] = std::move(result);
 }
 
-void Pool::note(LevelRun& run, const Unit& unit, SeedResult result) {
-  run.tally.note(unit.seed_index, result.passed);
-  run.results[static_cast<std::size_t>(unit.seed_index)] = std::move(result);
-}
-
-void Pool::close(RowRun& row, LevelRun& run) {
+void Searches::close(RowRun& row, LevelRun& run) {
   row.search.judged(run.tally.holds());
 }
 
-void Pool::start_next() {
-  Unit unit = std::move(waiting_.front());
+void Searches::start_next(TrialPlace& place) {
+  running_.push_back({.unit = std::move(waiting_.front())});
   waiting_.pop_front();
-  std::vector<Trial> trials = unknown_trials(unit);
-  const auto play = [&](const process::WorkingCopy::Tell& tell) {
-    store_.leave_file();
-    run_trials(robot_, trials, [&](std::size_t trial, const TrialOutcome& outcome) {
-      tell(to_json(outcome).dump());
-      return !ends(unit, trials[trial], outcome);
-    });
-  };
-  process::WorkingCopy copy(play);
-  workers_.push_back({std::move(unit), std::move(trials), 0, std::move(copy)});
+  UnitRun& run = running_.back();
+  run.ticket = place.start(run.unit.seed, unknown_trials(run.unit.seed));
 }
 
-void Pool::listen_to_workers() {
-  std::vector<pollfd> told;
-  for (const Worker& worker : workers_) {
-    told.push_back({worker.copy.descriptor(), POLLIN, 0});
+void Searches::take(const TrialPlace::News& news) {
+  const auto run = std::ranges::find(running_, news.ticket, &UnitRun::ticket);
+  if (run == running_.end()) {
+    return;  // it was given up meanwhile
   }
-  while (poll(told.data(), told.size(), -1) < 0) {
-    if (errno != EINTR) {
-      throw std::system_error(errno, std::generic_category(), "cannot wait for trials");
+  for (const TrialPlace::Played& played : news.played) {
+    const Trial& trial = run->unit.seed.trials[played.trial];
+    store_.keep(trial, played.outcome);
+    ++run->told;
+    run->told_s += trial.seconds;
+    if (news.ran) {
+      ++run->ran;
+      ++trials_run_;
+      played_s_ += trial.seconds;
     }
-  }
-  auto worker = workers_.begin();
-  for (const pollfd& one : told) {
-    if (one.revents != 0) {
-      listen_to(*worker);
-    }
-    ++worker;
-  }
-  const auto next_done = [this] {
-    return std::ranges::find_if(workers_, [](const Worker& one) { return one.copy.done(); });
-  };
-  for (auto done = next_done(); done != workers_.end(); done = next_done()) {
-    std::list<Worker> finished;  // apart from those that its result makes vain
-    finished.splice(finished.begin(), workers_, done);
-    finish(finished.front());
+    note_progress(run->unit, 1, trial.seconds);
   }
 }
 
-void Pool::listen_to(Worker& worker) {
-  for (const std::string& line : worker.copy.listen()) {
-    const Trial& trial = worker.trials.at(worker.told++);
-    store_.keep(trial, outcome_from_json(nlohmann::ordered_json::parse(line)));
-    ++trials_run_;
-    played_s_ += trial.seconds;
-    note_progress(worker.unit, 1, trial.seconds);
-  }
-}
-
-void Pool::finish(const Worker& worker) {
-  const Unit& unit = worker.unit;
-  SeedResult result = known_result(unit).value();
-  trials_known_ += result.trials.size() - worker.told;
-  skip_rest(worker);
-  LevelRun& run = unit.row->levels.at(unit.level);
-  note(run, unit, std::move(result));
-  if (run.tally.decided()) {
-    close(*unit.row, run);
-    give_up(*unit.row, unit.level);
-    plan_next_level(*unit.row);
+void Searches::finish(const UnitRun& run, TrialPlace& place) {
+  const Unit& unit = run.unit;
+  SeedResult result = known_result(unit.seed).value();
+  trials_known_ += std::max(result.trials.size(), run.told) - run.ran;
+  skip_rest(run);
+  LevelRun& level = unit.run->levels.at(unit.level);
+  note(level, unit.seed_index, std::move(result));
+  if (level.tally.decided()) {
+    close(*unit.run, level);
+    give_up(*unit.run, unit.level, place);
+    plan_next_level(*unit.run);
   }
 }
 
 // What is still to do for a level that is decided.
-void Pool::give_up(const RowRun& row, std::size_t level) {
-  const auto in_vain = [&](const Unit& unit) { return unit.row == &row && unit.level == level; };
-  std::erase_if(workers_, [&](const Worker& worker) {
-    if (in_vain(worker.unit)) {
-      skip_rest(worker);
+void Searches::give_up(const RowRun& row, std::size_t level, TrialPlace& place) {
+  const auto in_vain = [&](const Unit& unit) { return unit.run == &row && unit.level == level; };
+  std::erase_if(running_, [&](const UnitRun& run) {
+    if (in_vain(run.unit)) {
+      place.give_up(run.ticket);
+      skip_rest(run);
     }
-    return in_vain(worker.unit);
+    return in_vain(run.unit);
   });
   std::erase_if(waiting_, [&](const Unit& unit) {
     if (in_vain(unit)) {
-      note_progress(unit, unit.trials.size(), seconds_of(unit.trials));
+      note_progress(unit, unit.seed.trials.size(), seconds_of(unit.seed.trials));
     }
     return in_vain(unit);
   });
 }
 
-void Pool::skip_rest(const Worker& worker) {
-  const std::span<const Trial> told(worker.trials.data(), worker.told);
-  note_progress(worker.unit, worker.unit.trials.size() - told.size(),
-                seconds_of(worker.unit.trials) - seconds_of(told));
+void Searches::skip_rest(const UnitRun& run) {
+  note_progress(run.unit, run.unit.seed.trials.size() - run.told,
+                seconds_of(run.unit.seed.trials) - run.told_s);
 }
 
-void Pool::note_progress(const Unit& unit, std::size_t trials, double seconds) {
+void Searches::note_progress(const Unit& unit, std::size_t trials, double seconds) {
   trials_done_ += trials;
   done_s_ += seconds;
+  row_ = unit.run->row.name;
+}
+
+void Searches::tell_progress(const TrialPlace& place) {
   if (!options_.progress) {
     return;
   }
-  GaitProgress progress{unit.row->row.name, trials_done_, trials_planned_, std::nullopt};
+  GaitProgress progress{row_, trials_done_, trials_planned_, std::nullopt, place.workers()};
   if (played_s_ > 0.0) {
     const double wall_s = std::chrono::duration<double>(Clock::now() - started_).count();
     progress.remaining_s = std::max(0.0, planned_s_ - done_s_) * wall_s / played_s_;
@@ -367,18 +339,25 @@ GaitMeasurement measure_gait(const TrialRobot& robot, const std::vector<GaitRow>
       together.push_back(runs.back().get());
     }
   }
-  Pool pool(robot, store, options);
-  pool.measure(together, options.jobs);
+  Searches searches(store, options);
+  if (options.elsewhere != nullptr) {
+    searches.measure(together, *options.elsewhere);
+    options.elsewhere->finish();
+  } else {
+    TrialsHere here(robot, store, options.jobs);
+    searches.measure(together, here);
+  }
+  TrialsHere alone(robot, store, 1);
   for (const auto& run : runs) {
     if (run->row.runs_alone) {
-      pool.measure({run.get()}, 1);
+      searches.measure({run.get()}, alone);
     }
   }
   GaitMeasurement measurement;
   for (const auto& run : runs) {
     measurement.rows.push_back(result_of(*run));
   }
-  pool.count(measurement);
+  searches.count(measurement);
   return measurement;
 }
 

@@ -1,4 +1,4 @@
-// Measures the rows of the gait table on all cores.
+// Measures the rows of the gait table, on all cores of this computer or elsewhere.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +13,8 @@
 #include "tools/measure/trial_store.hpp"
 
 namespace gaitway::tools {
+
+class TrialsElsewhere;
 
 // What one seed did at one level.
 struct SeedResult {
@@ -52,7 +54,7 @@ struct RowResult {
 struct GaitMeasurement {
   std::vector<RowResult> rows;
   std::uint64_t trials_run = 0;
-  std::uint64_t trials_known = 0;  // from the store
+  std::uint64_t trials_known = 0;  // to this store, or elsewhere
 };
 
 struct GaitProgress {
@@ -60,6 +62,7 @@ struct GaitProgress {
   std::uint64_t trials_done = 0;
   std::uint64_t trials_planned = 0;   // grows as levels hold
   std::optional<double> remaining_s;  // of those that are planned; none: not known yet
+  int workers = 0;                    // that play trials now
 };
 
 struct GaitMeasurementOptions {
@@ -67,11 +70,14 @@ struct GaitMeasurementOptions {
   std::uint64_t first_seed = 1;
   int jobs = 1;                                       // processes side by side
   std::function<void(const GaitProgress&)> progress;  // empty: none
+  // All rows but those that run alone are played there; none: here.
+  TrialsElsewhere* elsewhere = nullptr;
 };
 
-// The result depends on the rows, the robot and the seeds alone, not on the number of jobs (but for processor
-// times). The trials run in copies of the process: call it where there is a single thread. Throws
-// std::runtime_error with what a trial threw, or with how its process came to its end; the others end, too.
+// The result depends on the rows, the robot and the seeds alone, not on the number of jobs or the place (but
+// for processor times). Trials here run in copies of the process: call it where there is a single thread.
+// Throws std::runtime_error with what a trial threw, or with how its process came to its end; the others end,
+// too. Throws what TrialsElsewhere throws.
 GaitMeasurement measure_gait(const TrialRobot& robot, const std::vector<GaitRow>& rows, TrialStore& store,
                              const GaitMeasurementOptions& options);
 

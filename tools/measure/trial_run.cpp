@@ -139,11 +139,6 @@ nlohmann::ordered_json beginning_of(Trial trial) {
   return describe(trial);
 }
 
-bool goes_on_from(const Trial& before, const Trial& next) {
-  return before.push && next.push && next.push->at_s >= before.push->at_s && next.seconds >= before.seconds &&
-         beginning_of(next) == beginning_of(before);
-}
-
 // fork() copies one thread, and no other process.
 bool may_be_copied(const TrialRobot& robot) {
   const bool isolated = std::ranges::any_of(robot.plugins.plugins, [](const core::PluginEntry& plugin) {
@@ -182,9 +177,14 @@ bool run_pushes(const TrialRobot& robot, std::span<const Trial> trials, std::siz
 
 }  // namespace
 
+bool shares_walk(const Trial& before, const Trial& next) {
+  return before.push && next.push && next.push->at_s >= before.push->at_s && next.seconds >= before.seconds &&
+         beginning_of(next) == beginning_of(before);
+}
+
 void run_trials(const TrialRobot& robot, std::span<const Trial> trials, const TrialDone& done) {
   for (std::size_t first = 0, end = 0; first < trials.size(); first = end) {
-    for (end = first + 1; end < trials.size() && goes_on_from(trials[end - 1], trials[end]);) {
+    for (end = first + 1; end < trials.size() && shares_walk(trials[end - 1], trials[end]);) {
       ++end;
     }
     const bool shared = end - first > 1 && may_be_copied(robot);

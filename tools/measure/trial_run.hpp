@@ -38,6 +38,10 @@ class TrialRun {
   bool pushed_ = false, risen_ = false;
 };
 
+// `next` can go on from where `before` is pushed: they differ in their push alone, which comes no earlier,
+// and in their length.
+[[nodiscard]] bool shares_walk(const Trial& before, const Trial& next);
+
 // Told each outcome with the trial's place in the series. Returns whether to go on.
 using TrialDone = std::function<bool(std::size_t trial, const TrialOutcome& outcome)>;
 

@@ -15,7 +15,7 @@ from .engine import Engine
 from .place import HELP, pool_at
 from .progress import Progress, clock
 from .results import PartialTable, prepare_folder, write_results, write_whole
-from .store import Store, default_folder
+from .store import Store, default_folder, open_store
 from .sweep_file import Sweep, read_sweep
 from .trial import kind_of
 
@@ -88,7 +88,7 @@ def _run(options: argparse.Namespace) -> int:
     if not 0 <= options.patience < 1e9:
         raise InputError(f"--patience {options.patience}: must be 0 or more seconds")
     sweep = read_sweep(options.file)
-    store = _store(options.store)
+    store = open_store(options.store)
     _check_first(sweep, options.file)
     if options.plan:
         print(_plan(sweep, store, options.on))
@@ -115,16 +115,6 @@ def _check_first(sweep: Sweep, file: Path) -> None:
             kind_of(sweep.kind).check(trial.description)
         except ValueError as error:
             raise InputError(f"{file}: its first trial cannot run: {error}") from error
-
-
-def _store(folder: Path | None) -> Store:
-    place = folder or default_folder()
-    try:
-        store = Store(place)
-        store.remove_left_overs()
-        return store
-    except OSError as error:
-        raise InputError(f"--store {place}: {error.strerror}. Choose another folder") from error
 
 
 def _plan(sweep: Sweep, store: Store, on: str) -> str:

@@ -1,7 +1,8 @@
 """Runs trials on a pool of workers, whatever dies meanwhile.
 
-Trials are taken one after the other from an iterator: a few requests are with each worker, and nothing grows with
-what is still to come. A trial whose result is stored is not run. One in a hundred runs on two workers.
+Trials are taken one after the other from an iterator, which may wait for results before it has more: a few requests are
+with each worker, and nothing grows with what is still to come. A trial whose result is stored is not run. One in a hundred
+runs on two workers.
 """
 
 from __future__ import annotations
@@ -69,8 +70,11 @@ class Engine:
         self._deaths: dict[str, int] = {}  # by trial, of the few that met any
         self._mean_s: float | None = None  # of a trial
 
-    def run(self, trials: Iterable[Trial], sink: Sink, look: Callable[[], None] = lambda: None) -> None:
-        """Until each trial has its result. `look` is called a few times a second. Raises SweepError."""
+    def run(self, trials: Iterable[Trial | None], sink: Sink, look: Callable[[], None] = lambda: None) -> None:
+        """Until each trial has its result. `look` is called a few times a second. Raises SweepError.
+
+        `trials` says None where there is none now, and may be more as soon as `sink` has been told of those that run.
+        """
         fresh = self._not_stored(trials, sink)
         try:
             more = True
@@ -81,7 +85,8 @@ class Engine:
                     if not self.second_runs.possible(self.crew.admitted()):
                         break
                 self.crew.require_somebody(self._pool.trouble())
-                for report in self._pool.poll(0.0 if more and not self._in_flight else POLL_S):
+                reads_on = more and not self._in_flight and bool(self.crew.admitted())
+                for report in self._pool.poll(0.0 if reads_on else POLL_S):
                     self._take(report, sink)
                 look()
         finally:
@@ -91,9 +96,12 @@ class Engine:
             self._again.clear()
             self.tally.not_run_twice += self.second_runs.give_up()
 
-    def _not_stored(self, trials: Iterable[Trial], sink: Sink) -> Iterator[Trial | None]:
+    def _not_stored(self, trials: Iterable[Trial | None], sink: Sink) -> Iterator[Trial | None]:
         """None from time to time while it reads what is stored, so that reports don't wait."""
         for number, trial in enumerate(trials, 1):
+            if trial is None:
+                yield None
+                continue
             text = self._store.find(trial.key)
             if text is None:
                 yield trial

@@ -17,7 +17,7 @@ from pathlib import Path
 from uuid import uuid4
 
 from .canonical import text_hash
-from .complaint import ResultsError
+from .complaint import InputError, ResultsError
 
 WRITERS = 16  # side by side: the disk then brings many files in one go
 LEFT_OVER_S = 3600.0  # what a killed process began to write is removed after that
@@ -29,6 +29,17 @@ def default_folder() -> Path:
         return Path(chosen)
     cache = os.environ.get("XDG_CACHE_HOME")
     return (Path(cache) if cache else Path.home() / ".cache") / "gaitway" / "trials"
+
+
+def open_store(folder: Path | None) -> Store:
+    """As --store says; None: the default folder. InputError where it cannot be made."""
+    place = folder or default_folder()
+    try:
+        store = Store(place)
+        store.remove_left_overs()
+        return store
+    except OSError as error:
+        raise InputError(f"--store {place}: {error.strerror}. Choose another folder") from error
 
 
 @dataclass(frozen=True)

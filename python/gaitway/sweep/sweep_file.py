@@ -15,7 +15,7 @@ from typing import Any
 from .canonical import Json
 from .design import Design, Range, Values
 from .source import Source
-from .trial import KINDS, Trial, TrialKind, key_of, kind_of
+from .trial import Trial, TrialKind, key_of, kind_of
 
 FIELDS = (
     "trial", "robots", "configs", "seeds", "seconds", "mismatch", "worlds", "world_seed", "conditions", "scenario",
@@ -23,6 +23,7 @@ FIELDS = (
 )
 RESERVED = ("trial", "robot", "config", "world", "scenario", "mismatch", "seed", "error")
 REHEARSAL_FIELDS = ("trial", "seeds", "parameters", "design", "measures")
+FIELDS_OF = {"robot": FIELDS, "rehearsal": REHEARSAL_FIELDS}
 MOST_TRIALS = 10_000_000
 MOST_SEED = 2**64 - 1
 LONGEST_S = 86400.0
@@ -91,9 +92,9 @@ def read_sweep(file: Path) -> Sweep:
     root = Source.read(file)
     kind = root.fields().get("trial")
     name = kind.text() if kind else "robot"
-    if kind and name not in KINDS:
-        kind.refuse("is no kind of trial", f"There are: {', '.join(KINDS)}")
-    fields = root.fields(FIELDS if name == "robot" else REHEARSAL_FIELDS)
+    if kind and name not in FIELDS_OF:
+        kind.refuse("is no kind of trial", f"There are: {', '.join(FIELDS_OF)}")
+    fields = root.fields(FIELDS_OF[name])
     if "seeds" not in fields:
         root.refuse("has no 'seeds'", "Add for example 'seeds: 1..10'")
     design = _design(fields)

@@ -12,6 +12,7 @@ from .canonical import Json, canonical, text_hash
 KINDS = {
     "robot": "gaitway.sweep.robot_trial:RobotTrials",
     "rehearsal": "gaitway.sweep.rehearsal:Rehearsals",
+    "gait": "gaitway.measure.gait_series:GaitSeries",
 }
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 import pathlib
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import pytest
@@ -30,6 +30,7 @@ class MadeUpPool:
         self._tickets = itertools.count(1)
         self.most_waiting = 0
         self.sent: list[tuple[str, Json]] = []
+        self.timeouts_s: list[float] = []
 
     def members(self) -> dict[str, Member]:
         return {name: Member(at_once=1, queue=2) for name in self.workers}
@@ -42,6 +43,7 @@ class MadeUpPool:
         return ticket
 
     def poll(self, timeout_s: float) -> list[Report]:
+        self.timeouts_s.append(timeout_s)
         if not self._waiting:
             return []
         ticket, worker, request = self._waiting.popleft()
@@ -109,6 +111,32 @@ def test_few_trials_are_out_at_a_time(store: Store) -> None:
     pool = MadeUpPool(a=perform, b=perform)
     run(pool, store, 5000)
     assert pool.most_waiting <= 2 * 2 * MOST_IN_REQUEST
+
+
+def test_what_comes_next_may_depend_on_results(store: Store) -> None:
+    results: dict[int, str] = {}
+
+    def one_after_the_other() -> Iterator[Trial | None]:
+        for trial in trials(20):
+            yield trial
+            while trial.number not in results:
+                yield None
+
+    for ran in (20, 0):
+        pool = MadeUpPool(a=perform, b=perform)
+        results.clear()
+        engine = Engine("rehearsal", pool, store)
+        engine.run(one_after_the_other(), lambda trial, text: results.__setitem__(trial.number, text))
+        assert sorted(results) == list(range(20))
+        assert engine.tally.ran == ran
+        assert pool.most_waiting <= 2  # the second is a second run
+
+
+def test_whoever_waits_for_workers_takes_no_processor_time(store: Store) -> None:
+    pool = MadeUpPool()
+    with pytest.raises(NoWorkersError):
+        run(pool, store, 3, patience_s=0.1)
+    assert min(pool.timeouts_s) > 0
 
 
 def test_a_broken_file_in_the_store_runs_again(store: Store) -> None:

@@ -1,0 +1,1 @@
+"""The trials of `gaitway measure gait` on the engine of sweeps."""
