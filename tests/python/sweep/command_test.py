@@ -95,7 +95,7 @@ def test_bad_input_ends_with_1(
 
 def test_a_trial_that_nobody_can_run_is_a_result(tmp_path: pathlib.Path) -> None:
     place = tmp_path / "sweep.yaml"
-    place.write_text("trial: rehearsal\nseeds: 1..3\nparameters: {rounds: [5, -1]}\n")
+    place.write_text("trial: rehearsal\nseeds: 1..3\nparameters: {error_share: [0, 1]}\n")
     run = SweepRun(place, "local:1", tmp_path / "out", tmp_path / "store")
     assert run.finish() == 0, run.log.read_text()
     rows = list(csv.DictReader((tmp_path / "out/results.csv").open()))

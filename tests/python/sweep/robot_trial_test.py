@@ -51,7 +51,7 @@ parameters: {speed: [0.1, 0.2], trajectory.lift: [30 mm, 36 mm]}
         ("seeds: [1]\nseconds: 1\nrobots: [humanoid23]\n", r":3: robots\[0\]: 'humanoid23' is no robot"),
         ("seeds: [1]\nseconds: 1\nmeasures: [speed]\n", r":3: measures\[0\]: 'speed' is no measure. There are: survived"),
         ("seeds: [1]\nseconds: 1\nparameters: {push: [1, 2]}\n", r"push: is neither PLUGIN.PARAMETER nor used in a scenario"),
-        ("seeds: [1]\nseconds: 1\nscenario: [{at_s: 0, walk: [$v, 0, 0]}]\n", r"uses \$v, which 'parameters' has not"),
+        ("seeds: [1]\nseconds: 1\nscenario: [{at_s: 0, walk: [$v, 0, 0]}]\n", r":3: scenario\[0\].walk\[0\]: '\$v' is a variable that 'parameters' has not. Add v"),
         ("seeds: [1]\nseconds: 1\nscenario: [{at_s: 0, walk: [.nan, 0, 0]}]\n", r":3: scenario\[0\].walk\[0\]: '.nan' is not a finite"),
     ],
 )
