@@ -192,12 +192,14 @@ def _parameter_sources(fields: dict[str, Source]) -> dict[str, Source]:
 
 def _distinct(source: Source, read: Callable[[Source], Any]) -> tuple[Any, ...]:
     """The values of a list, each as `read` takes it; refuses one that stands there twice."""
-    values: dict[str, Any] = {}
+    values: dict[Any, Any] = {}
     for one in source.items():
         value = read(one)
-        if canonical(value) in values:
+        is_number = isinstance(value, int | float) and not isinstance(value, bool)
+        key = value if is_number else canonical(value)  # 10 and 10.0 are one value
+        if key in values:
             one.refuse("stands here twice", "The second would be the same trials once more; leave it out")
-        values[canonical(value)] = value
+        values[key] = value
     return tuple(values.values())
 
 

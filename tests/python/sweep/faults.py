@@ -140,6 +140,8 @@ def main() -> int:
     parser.add_argument("--away", type=float, default=30.0, metavar="S", help="so long a worker is cut off")
     parser.add_argument("faults", nargs="*", metavar="FAULT", default=FAULTS, help=f"of {', '.join(FAULTS)} (default: all)")
     options = parser.parse_args()
+    if {"network", "disk"} & set(options.faults) and (why := namespaces.missing()):
+        parser.error(why)
     bad = 0
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
@@ -152,10 +154,11 @@ def main() -> int:
             failed = [one for one in rounds if not one.identical or one.rerun]
             bad += len(failed)
             again = [one.again for one in rounds]
+            alone = f", {statistics.fmean(one.alone for one in rounds):.1f} ran while nobody heard of it" if fault == "network" else ""
             print(
                 f"{fault}: {len(rounds) - len(failed)} of {len(rounds)} identical with local, {statistics.fmean(again):.1f} trials "
-                f"given to another worker ({max(again)} at most), none of the stored ones ran again, "
-                f"{statistics.median(one.seconds for one in rounds):.1f} s a round", flush=True,
+                f"given to another worker ({max(again)} at most), {sum(one.rerun for one in rounds)} of the stored ones ran again"
+                f"{alone}, {statistics.median(one.seconds for one in rounds):.1f} s a round", flush=True,
             )
             for one in failed:
                 print(one, flush=True)
