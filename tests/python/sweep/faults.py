@@ -147,10 +147,11 @@ def main() -> int:
         folder = pathlib.Path(name)
         local = local_results(folder)
         for fault in options.faults:
+            rounds: list[Figures] = []
             with cluster_for(fault, folder / f"cluster_{fault}") as cluster:
-                rounds = [
-                    one_round(fault, cluster, folder / f"{fault}{number}", local, options.away) for number in range(options.rounds)
-                ]
+                for number in range(options.rounds):
+                    rounds.append(one_round(fault, cluster, folder / f"{fault}{number}", local, options.away))
+                    print(f"{fault} {number + 1}: {'identical' if rounds[-1].identical else 'NOT identical'}", file=sys.stderr, flush=True)
             failed = [one for one in rounds if not one.identical or one.rerun]
             bad += len(failed)
             again = [one.again for one in rounds]
