@@ -146,11 +146,11 @@ def many(trials: int, folder: pathlib.Path) -> int:
             state = json.loads(progress.read_text())
             with contextlib.suppress(FileNotFoundError, IndexError):
                 figures = {f"{name}_MB": round(memory_mb(process)) for name, process in watched.items()}
+                figures |= {f"{name}_processor_s": round(processor_s([process])) for name, process in watched.items()}
                 print(json.dumps({"s": round(shown - began), "done": state["done"], "ended": state["ended"], **figures}), flush=True)
         state = json.loads(progress.read_text())
         rate = state["done"] / state["seconds"]
         print(f"{state['done']} trials in {state['seconds']} s, {rate:.0f} a second; with all tables {time.monotonic() - began:.0f} s", flush=True)
-        print(f"of processor time: scheduler {processor_s([cluster.scheduler.pid]):.0f} s, workers {processor_s([one.pid for one in cluster.workers]):.0f} s")
     return 0 if sweep.process.returncode == 0 and rate >= 500 else 1
 
 

@@ -43,6 +43,7 @@ class Cable:
     def cut(self) -> None:
         """What is sent from now on is lost. Nobody is told."""
         self._ip(self.far, "link set far down")
+        assert "NO-CARRIER" in self._ip(self.near, "link show near")
 
     def mend(self) -> None:
         self._ip(self.far, "link set far up")
@@ -66,5 +67,5 @@ class Cable:
         return ["nsenter", f"--target={holder.pid}", "--user", "--net", "--preserve-credentials"]
 
     @staticmethod
-    def _ip(where: list[str], words: str) -> None:
-        subprocess.run([*where, "ip", *words.split()], check=True)
+    def _ip(where: list[str], words: str) -> str:
+        return subprocess.run([*where, "ip", *words.split()], check=True, capture_output=True, text=True).stdout

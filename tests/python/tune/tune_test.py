@@ -181,7 +181,7 @@ def test_a_file_whose_costs_are_none_is_refused(made_up: object, tmp_path: pathl
         (["--numbers", "trajectory.lift,trajectory.lift"], "--numbers 'trajectory.lift': stands there twice"),
         (["--numbers", ""], "--numbers '': is no number that can be tuned. There are: trajectory.step_time"),
         (["--robot", "r" * 300], f"--robot {'r' * 300}: is neither a shipped one nor a path"),
-        (["--config", "HERE"], "lacks.yaml and the numbers that are tuned: cannot run: "),
+        (["--config", "HERE"], "lacks.yaml:1: plugins = a list of 0: must be a list"),
         (["--on", "local:²"], "--on local:²: is no place for trials"),
         (["--store", "/proc/none"], "--store /proc/none: "),
         (["--patience", "-1"], "--patience -1.0: must be 0 or more"),
