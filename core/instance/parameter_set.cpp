@@ -151,7 +151,7 @@ std::string value_text(const gaitway_value& value) {
 }
 
 std::string ParameterSet::place_of(const ParameterEntry& entry) const {
-  return fmt::format("{}:{}", file_.string(), entry.line);
+  return entry.line > 0 ? fmt::format("{}:{}", file_.string(), entry.line) : file_.string();
 }
 
 const ParameterEntry* ParameterSet::find(std::string_view name) const noexcept {
@@ -271,9 +271,8 @@ void ParameterSet::require_all_declared() const {
   }
   for (const ParameterEntry& entry : entries_) {
     if (std::ranges::find(known, entry.name) == known.end()) {
-      throw ConfigurationError(fmt::format("{}:{}: plug-in '{}' has no parameter '{}'. {}", file_.string(),
-                                           entry.line, plugin_, entry.name,
-                                           input::suggest(entry.name, known)));
+      throw ConfigurationError(fmt::format("{}: plug-in '{}' has no parameter '{}'. {}", place_of(entry),
+                                           plugin_, entry.name, input::suggest(entry.name, known)));
     }
   }
 }

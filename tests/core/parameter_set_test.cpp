@@ -171,5 +171,15 @@ TEST(ParameterSet, EntryThatNobodyAskedForIsRefused) {
               HasSubstr("has no parameter 'x'. There is none."));
 }
 
+// What a program sets beside the file stands in no line of it.
+TEST(ParameterSet, EntryBesideTheFileNamesNoLine) {
+  ParameterSet set("walk.yaml", "gait", {{"step_time", "0.4 kg", 0}, {"x", "1", 0}}, {});
+  EXPECT_THAT(
+      refusal([&] { static_cast<void>(set.declare(declaration("step_time", number_value(0.4), "s"))); }),
+      HasSubstr("walk.yaml: parameter 'step_time'"));
+  EXPECT_THAT(refusal([&] { set.require_all_declared(); }),
+              HasSubstr("walk.yaml: plug-in 'gait' has no parameter"));
+}
+
 }  // namespace
 }  // namespace gaitway::core

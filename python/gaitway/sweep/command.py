@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 import argparse
-import itertools
 import json
-import signal
 import sys
 from pathlib import Path
-from types import FrameType
 
-from .complaint import EXIT_BAD_INPUT, EXIT_FINE, EXIT_NOT_DONE, InputError, SweepError
+from .check import check_values
+from .complaint import EXIT_FINE
 from .engine import Engine
-from .place import HELP, pool_at
-from .progress import Progress, clock
+from .place import pool_at
+from .plan import plan
+from .program import Parser, run_program
+from .progress import Progress
 from .results import PartialTable, prepare_folder, write_results, write_whole
-from .store import Store, default_folder, open_store
+from .store import open_store
 from .sweep_file import Sweep, read_sweep
 from .trial import kind_of
 
@@ -46,55 +46,22 @@ Exit code: 0 each trial has a result; 1 the input was bad and nothing ran; 3 tri
 
 
 def main(arguments: list[str] | None = None) -> int:
-    options = _parse(arguments)
-    signal.signal(signal.SIGTERM, _interrupt)
-    try:
-        return _run(options)
-    except SweepError as error:
-        print(f"gaitway sweep: {error}", file=sys.stderr)
-        return error.exit_code
-    except KeyboardInterrupt:
-        print("gaitway sweep: interrupted. What has run is stored; the same command goes on from there", file=sys.stderr)
-        return EXIT_NOT_DONE
-
-
-def _interrupt(_number: int, _frame: FrameType | None) -> None:
-    raise KeyboardInterrupt
-
-
-class _Parser(argparse.ArgumentParser):
-    def error(self, message: str) -> None:  # type: ignore[override]
-        print(f"gaitway sweep: {message}. See gaitway sweep --help", file=sys.stderr)
-        raise SystemExit(EXIT_BAD_INPUT)
-
-
-def _parse(arguments: list[str] | None) -> argparse.Namespace:
-    parser = _Parser(
-        prog="gaitway sweep",
-        description="Run trials over robots, configurations, parameters and seeds, here or on a cluster.",
-        epilog=EXAMPLES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
+    parser = Parser("gaitway sweep", "Run trials over robots, configurations, parameters and seeds, here or on a cluster.", EXAMPLES)
     parser.add_argument("file", type=Path, help="the sweep file (YAML)")
-    parser.add_argument("--on", default="local", metavar="PLACE", help=HELP)
     parser.add_argument("--out", type=Path, default=Path("out/sweep"), metavar="DIR", help="folder for the results (default out/sweep)")
-    parser.add_argument("--store", type=Path, metavar="DIR", help=f"where each trial's result is kept (default {default_folder()})")
     parser.add_argument("--plan", action="store_true", help="say what would run, and end")
-    parser.add_argument("--patience", type=float, default=60.0, metavar="S", help="wait so long where no worker is there (default 60)")
-    return parser.parse_args(arguments)
+    return run_program(parser, arguments, _run)
 
 
 def _run(options: argparse.Namespace) -> int:
-    if not 0 <= options.patience < 1e9:
-        raise InputError(f"--patience {options.patience}: must be 0 or more seconds")
     sweep = read_sweep(options.file)
     store = open_store(options.store)
-    _check_first(sweep, options.file)
+    check_values(sweep, store)
+    pool = pool_at(options.on)
     if options.plan:
-        print(_plan(sweep, store, options.on))
+        print(plan(sweep, store, options.on))
         return EXIT_FINE
     prepare_folder(options.out)
-    pool = pool_at(options.on)
     progress = Progress(len(sweep), options.out)
     with pool, PartialTable(sweep, options.out) as table:
         engine = Engine(sweep.kind, pool, store, patience_s=options.patience, tell=progress.tell)
@@ -106,33 +73,6 @@ def _run(options: argparse.Namespace) -> int:
     write_whole(options.out / "sweep.json", json.dumps(_account(sweep, engine, table), indent=1) + "\n")
     print(_words(engine, table, options.out, left_out))
     return EXIT_FINE
-
-
-def _check_first(sweep: Sweep, file: Path) -> None:
-    """What is wrong with all trials is told before any runs."""
-    for trial in itertools.islice(sweep.trials(), 1):
-        try:
-            kind_of(sweep.kind).check(trial.description)
-        except ValueError as error:
-            raise InputError(f"{file}: its first trial cannot run: {error}") from error
-
-
-def _plan(sweep: Sweep, store: Store, on: str) -> str:
-    kind = kind_of(sweep.kind)
-    known, seconds, first = 0, 0.0, None
-    for trial in sweep.trials():
-        first = first or trial
-        if store.has(trial.key):
-            known += 1
-        else:
-            seconds += kind.expected_s(trial.description)
-    lines = [f"{len(sweep)} trials: {', '.join(f'{len(values)} {name}' for name, values in sweep.axes.items())}"]
-    lines[0] += f", {len(sweep.design)} points of {len(sweep.design.parameters)} parameters"
-    lines.append(f"{known} of them are known; the others take about {clock(seconds)} on one core like this computer's")
-    if first:
-        lines.append(f"the first: {json.dumps(first.row)}")
-    lines.append(f"would run on {on}; nothing was run")
-    return "\n".join(lines)
 
 
 def _account(sweep: Sweep, engine: Engine, table: PartialTable) -> dict[str, object]:

@@ -41,5 +41,9 @@ class ResultsError(SweepError):
     exit_code = EXIT_INCOMPLETE
 
 
+class ImpossibleError(ValueError):
+    """Values that are right, each by itself, but that nobody can run together: that is a result."""
+
+
 class UnfitWorkerError(Exception):
     """Raised on a worker that must run no trials of this sweep: it lacks something, or has something else."""

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import itertools
 import math
 import random
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, Literal
 
 Point = tuple[Any, ...]  # a value for each parameter, in their order
@@ -18,9 +18,17 @@ class Values:
 
     values: tuple[Any, ...]
 
+    @property
+    def count(self) -> int:
+        return len(self.values)
+
     def at(self, share: float) -> Any:
         """`share` in [0, 1)."""
         return self.values[int(share * len(self.values))]
+
+    def nth(self, number: int) -> Any:
+        """Of the grid."""
+        return self.values[number]
 
 
 @dataclass(frozen=True)
@@ -33,6 +41,10 @@ class Range:
     logarithmic: bool
     unit: str
 
+    @property
+    def count(self) -> int:
+        return self.steps or 1
+
     def at(self, share: float) -> Any:
         """`share` in [0, 1]."""
         if self.logarithmic:
@@ -43,50 +55,50 @@ class Range:
         number = float(f"{number:.12g}")  # 0.3, not 0.30000000000000004
         return f"{number!r} {self.unit}" if self.unit else number
 
-    def grid(self) -> list[Any]:
-        steps = self.steps or 1
-        return [self.at(step / (steps - 1) if steps > 1 else 0.0) for step in range(steps)]
+    def nth(self, number: int) -> Any:
+        """Of the grid."""
+        return self.at(number / (self.count - 1) if self.count > 1 else 0.0)
 
 
 @dataclass(frozen=True)
 class Design:
-    """`ways`: how to come to the points; `count` and `seed` where they are drawn."""
+    """`ways`: how to come to the points; `drawn` and `seed` where they are drawn."""
 
     way: Literal["grid", "random", "latin_hypercube"]
     parameters: dict[str, Values | Range]
-    count: int = 0
+    drawn: int = 0
     seed: int = 0
 
-    def __len__(self) -> int:
-        if self.way != "grid":
-            return self.count
-        return math.prod(len(_grid(one)) for one in self.parameters.values())
+    @property
+    def count(self) -> int:
+        """Of points; nothing is made for it."""
+        return self.drawn if self.way != "grid" else math.prod(one.count for one in self.parameters.values())
+
+    def point(self, number: int) -> Point:
+        """Always the same one. In a grid the last parameter changes first."""
+        if self.way == "grid":
+            values = []
+            for one in reversed(self.parameters.values()):
+                number, place = divmod(number, one.count)
+                values.append(one.nth(place))
+            return tuple(reversed(values))
+        draw = random.Random(f"{self.seed} {number}")
+        if self.way == "random":
+            return tuple(one.at(draw.random()) for one in self.parameters.values())
+        return tuple(
+            one.at((order[number] + draw.random()) / self.drawn)
+            for one, order in zip(self.parameters.values(), self._slices, strict=True)
+        )
 
     def points(self) -> Iterator[Point]:
-        """Always the same ones, in the same order."""
-        if self.way == "grid":
-            yield from itertools.product(*(_grid(one) for one in self.parameters.values()))
-        elif self.way == "random":
-            for number in range(self.count):
-                draw = random.Random(f"{self.seed} {number}")
-                yield tuple(one.at(draw.random()) for one in self.parameters.values())
-        else:
-            yield from self._latin_hypercube()
+        return map(self.point, range(self.count))
 
-    def _latin_hypercube(self) -> Iterator[Point]:
-        """Each parameter's range is cut into `count` slices, each of which has one point."""
+    @cached_property
+    def _slices(self) -> list[list[int]]:
+        """Of a Latin hypercube: each parameter's range is cut into slices, each of which has one point."""
         slices: list[list[int]] = []
         for name in self.parameters:
-            order = list(range(self.count))
+            order = list(range(self.drawn))
             random.Random(f"{self.seed} {name}").shuffle(order)
             slices.append(order)
-        for number in range(self.count):
-            draw = random.Random(f"{self.seed} {number}")
-            yield tuple(
-                one.at((order[number] + draw.random()) / self.count)
-                for one, order in zip(self.parameters.values(), slices, strict=True)
-            )
-
-
-def _grid(parameter: Values | Range) -> list[Any]:
-    return list(parameter.values) if isinstance(parameter, Values) else parameter.grid()
+        return slices

@@ -11,6 +11,7 @@ import itertools
 import json
 import os
 import statistics
+from array import array
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import AbstractContextManager, contextmanager, suppress
 from dataclasses import dataclass
@@ -27,6 +28,7 @@ from .trial import Trial, kind_of
 
 ROWS_IN_MARKDOWN = 200
 ROWS_AT_ONCE = 10_000
+MOST_GROUPS = 10_000
 Row = dict[str, Any]
 
 
@@ -109,12 +111,12 @@ def stored_rows(sweep: Sweep, store: Store) -> Iterator[Row]:
 
 def write_results(sweep: Sweep, store: Store, folder: Path) -> list[str]:
     """results.csv, results.md, and results.parquet and results.png where their packages are there; what was left out."""
-    _write_csv(sweep, stored_rows(sweep, store), folder / "results.csv")
-    groups = list(itertools.islice(grouped(sweep, stored_rows(sweep, store)), ROWS_AT_ONCE))
-    write_whole(folder / "results.md", markdown(sweep, groups))
+    summary = Summary(sweep)
+    _write_csv(sweep, summary.watch(stored_rows(sweep, store)), folder / "results.csv")
+    write_whole(folder / "results.md", markdown(sweep, summary.groups))
     optional: list[tuple[str, Callable[[], None]]] = [
-        ("results.parquet", lambda: _write_parquet(sweep, stored_rows(sweep, store), folder / "results.parquet")),
-        ("results.png", lambda: _plot(sweep, groups, folder)),
+        ("results.parquet", lambda: _write_parquet(sweep, summary, stored_rows(sweep, store), folder / "results.parquet")),
+        ("results.png", lambda: _plot(sweep, summary.groups, folder)),
     ]
     left_out = []
     for name, write in optional:
@@ -150,18 +152,36 @@ class Group:
     figures: dict[str, tuple[float, float]]
 
 
-def grouped(sweep: Sweep, rows: Iterable[Row]) -> Iterator[Group]:
-    names = [name for name in sweep.columns if name not in ("trial", "seed")]
-    seeds = len(sweep.axes["seed"])
-    rows = iter(rows)
-    while one := list(itertools.islice(rows, seeds)):
-        figures = {}
-        for measure in measures_of(sweep):
-            values = [float(row[measure]) for row in one if isinstance(row[measure], bool | int | float)]
-            if values:
-                figures[measure] = (statistics.fmean(values), statistics.stdev(values) if len(values) > 1 else 0.0)
-        errors = sum(row["error"] is not None for row in one)
-        yield Group({name: one[0][name] for name in names}, len(one), errors, figures)
+class Summary:
+    """What is learned of the rows while they pass by: `groups`, of the first points, and the types of each column."""
+
+    def __init__(self, sweep: Sweep) -> None:
+        self._names = [name for name in sweep.columns if name not in ("trial", "seed")]
+        self._measures, self._seeds = measures_of(sweep), len(sweep.axes["seed"])
+        self.groups: list[Group] = []
+        self.types: dict[str, set[type]] = {name: set() for name in [*sweep.columns, *self._measures, "error"]}
+
+    def watch(self, rows: Iterable[Row]) -> Iterator[Row]:
+        """The same rows; a number of each is kept until its group is whole."""
+        values: dict[str, array[float]] = {}
+        errors = count = 0
+        for row in rows:
+            for name, value in row.items():
+                self.types[name].add(type(value))
+            for measure in self._measures if len(self.groups) < MOST_GROUPS else ():
+                if isinstance(row[measure], bool | int | float):
+                    values.setdefault(measure, array("d")).append(float(row[measure]))
+            errors += row["error"] is not None
+            count += 1
+            if count == self._seeds:
+                if len(self.groups) < MOST_GROUPS:
+                    self.groups.append(Group({name: row[name] for name in self._names}, count, errors, _figures(values)))
+                values, errors, count = {}, 0, 0
+            yield row
+
+
+def _figures(values: dict[str, array[float]]) -> dict[str, tuple[float, float]]:
+    return {name: (statistics.fmean(some), statistics.stdev(some) if len(some) > 1 else 0.0) for name, some in values.items()}
 
 
 def markdown(sweep: Sweep, groups: list[Group]) -> str:
@@ -187,22 +207,22 @@ def _figure(figure: tuple[float, float] | None) -> str:
     return "" if figure is None else f"{figure[0]:.4g} ± {figure[1]:.2g}"
 
 
-def _write_parquet(sweep: Sweep, rows: Iterator[Row], place: Path) -> None:
+def _write_parquet(sweep: Sweep, summary: Summary, rows: Iterator[Row], place: Path) -> None:
     import pyarrow
     from pyarrow import parquet
 
-    def type_of(name: str, sample: list[Row]) -> Any:
-        values = {type(row[name]) for row in sample} - {type(None)}
+    def type_of(name: str) -> Any:
+        types = summary.types[name] - {type(None)}
         if name in ("trial", "seed"):
             return pyarrow.uint64()
-        if name == "error" or str in values:
+        if name == "error" or not types <= {bool, int, float}:
             return pyarrow.string()
-        return pyarrow.bool_() if values == {bool} else pyarrow.float64()
+        return pyarrow.bool_() if types == {bool} else pyarrow.float64()
 
     beside = place.with_name(f".{place.name}.part")
     chunk = list(itertools.islice(rows, ROWS_AT_ONCE))
     names = [*sweep.columns, *measures_of(sweep), "error"]
-    schema = pyarrow.schema([(name, type_of(name, chunk)) for name in names])
+    schema = pyarrow.schema([(name, type_of(name)) for name in names])
     with parquet.ParquetWriter(beside, schema) as writer:
         while chunk:
             columns = [[_as(schema.field(name).type, row[name], pyarrow) for row in chunk] for name in names]

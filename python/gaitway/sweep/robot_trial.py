@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from .canonical import Json, files_hash
-from .complaint import InputError, UnfitWorkerError
+from .complaint import ImpossibleError, InputError, UnfitWorkerError
 from .walk_metrics import WalkMetrics
 
 if TYPE_CHECKING:
@@ -67,8 +67,13 @@ class RobotTrials:
         return float(description["seconds"]) * self._pace
 
     def check(self, description: Json) -> None:
-        """ValueError where the robot cannot be made so."""
-        _robot(description).close()
+        """ValueError where the robot cannot be made so, or does not take an event."""
+        with _robot(description) as robot:
+            for event in description["events"]:
+                try:
+                    robot.apply(_action(event))
+                except ValueError as error:
+                    raise ValueError(f"the event at {event['at_s']:g} s: {error}") from error
 
     def run(self, description: Json) -> Json:
         with _robot(description) as robot:
@@ -114,10 +119,13 @@ def check_parameter(name: str) -> str:
 
 def found(what: str, name: str, beside: Path) -> str | None:
     """The name of a shipped one, or the absolute path of one beside the sweep's file; None: there is none."""
-    if "/" not in name and _shipped_place(what, name).exists():
-        return name
-    path = (beside / name).resolve()
-    there = (path / "robot.yaml").is_file() if what == "robot" else path.is_file()
+    try:
+        if "/" not in name and _shipped_place(what, name).exists():
+            return name
+        path = (beside / name).resolve()
+        there = (path / "robot.yaml").is_file() if what == "robot" else path.is_file()
+    except (OSError, RuntimeError):  # a name that is too long, a link to itself, a folder that may not be looked into
+        return None
     return str(path) if there else None
 
 
@@ -183,7 +191,7 @@ def _libraries() -> list[Path]:
 
 
 def _robot(description: Json) -> Robot:
-    """ValueError where nobody can make it, UnfitWorkerError where this computer cannot."""
+    """ValueError where nobody can make it (ImpossibleError where a plug-in says so), UnfitWorkerError where this computer cannot."""
     from gaitway import PluginError, Robot, _native
 
     for what in ("robot", "config", "world"):
@@ -207,7 +215,8 @@ def _robot(description: Json) -> Robot:
             navigation=any("walk_to" in event for event in description["events"]),
         )
     except (PluginError, ValueError) as error:  # the same words wherever the package is installed
-        raise ValueError(str(error).replace(f"{_native.installation_root()}/share/gaitway/", "")) from error
+        words = str(error).replace(f"{_native.installation_root()}/share/gaitway/", "")
+        raise (ImpossibleError if isinstance(error, PluginError) else ValueError)(words) from error
 
 
 def _let_run(robot: Robot, events: list[Json], seconds: float) -> WalkMetrics:
@@ -217,9 +226,9 @@ def _let_run(robot: Robot, events: list[Json], seconds: float) -> WalkMetrics:
     now_ms, end_ms, next_sample_ms = 0, round(seconds * 1e3), FIRST_SAMPLE_MS
     while now_ms < end_ms:
         while waiting and float(waiting[0]["at_s"]) <= now_ms * 1e-3 + 1e-9:
-            event = {name: value for name, value in waiting.pop(0).items() if name != "at_s"}
-            robot.apply(event)
-            metrics.on_event(event, now_ms)
+            action = _action(waiting.pop(0))
+            robot.apply(action)
+            metrics.on_event(action, now_ms)
         until_ms = min(end_ms, next_sample_ms)
         if waiting:
             until_ms = min(until_ms, max(now_ms + 1, math.ceil(float(waiting[0]["at_s"]) * 1e3 - 1e-6)))
@@ -232,6 +241,10 @@ def _let_run(robot: Robot, events: list[Json], seconds: float) -> WalkMetrics:
         if metrics.fell_at_s is not None:
             end_ms = min(end_ms, round((metrics.fell_at_s + AFTER_FALL_S) * 1e3))
     return metrics
+
+
+def _action(event: Json) -> Json:
+    return {name: value for name, value in event.items() if name != "at_s"}
 
 
 def _account(robot: Robot) -> Mapping[str, Any]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections import deque
 from collections.abc import Collection
 from dataclasses import dataclass
@@ -9,6 +10,8 @@ from dataclasses import dataclass
 from .complaint import DisagreementError
 from .store import Store
 from .trial import Trial
+
+MOST_WAITING = 1000  # where there is no second worker for them: of more, that none was there is counted, and no more
 
 
 @dataclass(frozen=True)
@@ -28,14 +31,19 @@ class SecondRuns:
         self._store = store
         self._waiting: deque[FirstRun] = deque()
         self._running: dict[str, FirstRun] = {}
+        self._dropped = 0
         self.agreed = 0
 
     def want(self, first: FirstRun) -> None:
-        if first.trial.is_run_twice and not self._store.was_run_twice(first.trial.key):
+        if not first.trial.is_run_twice or self._store.was_run_twice(first.trial.key):
+            return
+        if len(self._waiting) < MOST_WAITING:
             self._waiting.append(first)
+        else:
+            self._dropped += 1
 
     def next_for(self, worker: str) -> Trial | None:
-        for first in list(self._waiting)[:16]:
+        for first in list(itertools.islice(self._waiting, 16)):
             if first.worker != worker:
                 self._waiting.remove(first)
                 self._running[first.trial.key] = first
@@ -67,7 +75,8 @@ class SecondRuns:
 
     def give_up(self) -> int:
         """How many have not run twice."""
-        left = len(self._waiting) + len(self._running)
+        left = len(self._waiting) + len(self._running) + self._dropped
+        self._dropped = 0
         self._waiting.clear()
         self._running.clear()
         return left

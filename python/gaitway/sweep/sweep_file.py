@@ -5,17 +5,17 @@ Robots, configurations, scenarios, worlds, mismatches and seeds are combined wit
 
 from __future__ import annotations
 
-import itertools
+import math
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from .canonical import Json
+from .canonical import Json, canonical
 from .design import Design, Range, Values
 from .source import Source
-from .trial import Trial, TrialKind, key_of, kind_of
+from .trial import Trial, key_of, kind_of
 
 FIELDS = (
     "trial", "robots", "configs", "seeds", "seconds", "mismatch", "worlds", "world_seed", "conditions", "scenario",
@@ -28,24 +28,33 @@ MOST_TRIALS = 10_000_000
 MOST_SEED = 2**64 - 1
 LONGEST_S = 86400.0
 VARIABLE = re.compile(r"\$[A-Za-z_]\w*")
+SEEDS = re.compile(r"\s*([0-9]{1,20})\s*\.\.\s*([0-9]{1,20})\s*")
+Taken = dict[str, Sequence[Any]]
 
 
 @dataclass(frozen=True)
 class Sweep:
-    """`axes`: what is combined besides the points, by the column's name; one value alone has no column."""
+    """`axes`: what is combined besides the points, by the column's name; one value alone has no column.
+
+    `places`: where the file names the values of an axis or a parameter, one each; of a range where its ends stand.
+    """
 
     kind: str
-    axes: dict[str, Sequence[Any]]
+    axes: Taken
     design: Design
     constant: Json  # of every trial
     scenarios: dict[str, list[Json]]
     measures: tuple[str, ...]  # empty: all that the trials have
+    root: Source
+    places: Mapping[str, Sequence[Source]]
 
     def __len__(self) -> int:
-        count = len(self.design)
-        for values in self.axes.values():
-            count *= len(values)
-        return count
+        return self.count
+
+    @property
+    def count(self) -> int:
+        """Of trials; nothing is made for it."""
+        return self.design.count * math.prod(length(values) for values in self.axes.values())
 
     @property
     def columns(self) -> list[str]:
@@ -55,21 +64,37 @@ class Sweep:
 
     def trials(self) -> Iterator[Trial]:
         """The seeds of a point follow one another."""
-        kind = kind_of(self.kind)
-        code = kind.code()
-        outer = [name for name in self.axes if name != "seed"]
-        number = itertools.count()
-        for chosen in itertools.product(*(self.axes[name] for name in outer)):
-            for point in self.design.points():
-                parameters = dict(zip(self.design.parameters, point, strict=True))
-                for seed in self.axes["seed"]:
-                    axes = {**dict(zip(outer, chosen, strict=True)), "seed": seed}
-                    description = self._description(kind, axes, parameters)
-                    row = {"trial": next(number), **axes, **parameters}
-                    key = key_of(self.kind, code, description)
-                    yield Trial(row["trial"], description, {name: row[name] for name in self.columns}, key)
+        return map(self.trial, range(self.count))
 
-    def _description(self, kind: TrialKind, axes: Json, parameters: Json) -> Json:
+    def trial(self, number: int) -> Trial:
+        axes: Json = {}
+        left, place = divmod(number, length(self.axes["seed"]))
+        axes["seed"] = self.axes["seed"][place]
+        left, place = divmod(left, self.design.count)
+        parameters = dict(zip(self.design.parameters, self.design.point(place), strict=True))
+        for name in [name for name in reversed(self.axes) if name != "seed"]:
+            left, place = divmod(left, length(self.axes[name]))
+            axes[name] = self.axes[name][place]
+        return self.trial_of(number, axes, parameters)
+
+    def trial_of(self, number: int, axes: Json, parameters: Json) -> Trial:
+        """Whether or not it is one of the sweep's."""
+        kind = kind_of(self.kind)
+        description = self._description(axes, parameters)
+        row = {"trial": number, **axes, **parameters}
+        return Trial(number, description, {name: row.get(name) for name in self.columns}, key_of(self.kind, kind.code(), description))
+
+    def axes_of_first(self) -> Json:
+        return {name: values[0] for name, values in self.axes.items()}
+
+    def parameters_of_first(self) -> Json:
+        return dict(zip(self.design.parameters, self.design.point(0), strict=True))
+
+    def is_optional(self, parameter: str) -> bool:
+        """Whether a trial can be described without it: it is no variable of the scenario."""
+        return self.kind == "rehearsal" or "." in parameter
+
+    def _description(self, axes: Json, parameters: Json) -> Json:
         if self.kind == "rehearsal":
             return {"seed": axes["seed"], **parameters}
         from .robot_trial import describe
@@ -87,6 +112,11 @@ class Sweep:
         )
 
 
+def length(values: Sequence[Any]) -> int:
+    """Also of a range that len() has no number for."""
+    return values.stop - values.start if isinstance(values, range) else len(values)
+
+
 def read_sweep(file: Path) -> Sweep:
     """InputError with file, line, field, value, rule and remedy."""
     root = Source.read(file)
@@ -98,81 +128,122 @@ def read_sweep(file: Path) -> Sweep:
     if "seeds" not in fields:
         root.refuse("has no 'seeds'", "Add for example 'seeds: 1..10'")
     design = _design(fields)
-    measures = tuple(one.text() for one in fields["measures"].items()) if "measures" in fields else ()
-    for parameter in design.parameters:
+    measures = _measures(fields, name)
+    for parameter, source in _parameter_sources(fields).items():
         if parameter in RESERVED:
-            fields["parameters"].fields()[parameter].refuse("is the name of a column that each table has", "Choose another name")
+            source.refuse("is the name of a column that each table has", "Choose another name")
+        if parameter in kind_of(name).measures:
+            source.refuse("is the name of a measure, which has a column of its own", "Choose another name")
     if name == "rehearsal":
-        sweep = Sweep(name, {"seed": _seeds(fields["seeds"])}, design, {}, {}, measures)
+        axes: Taken = {"seed": _seeds(fields["seeds"])}
+        sweep = Sweep(name, axes, design, {}, {}, measures, root, _places(fields))
     else:
         sweep = _robot_sweep(root, fields, design, measures, file.parent)
-    if len(sweep) > MOST_TRIALS:
-        root.refuse(f"has {len(sweep)} trials, {MOST_TRIALS} at most", "Take fewer steps, or draw points at random")
+    if sweep.count > MOST_TRIALS:
+        root.refuse(f"has {sweep.count} trials, {MOST_TRIALS} at most", "Take fewer steps or seeds, or draw points at random")
     return sweep
 
 
 def _robot_sweep(root: Source, fields: dict[str, Source], design: Design, measures: tuple[str, ...], beside: Path) -> Sweep:
-    from .robot_trial import MEASURES, check_parameter, found
+    from .robot_trial import check_parameter, found
 
     if "seconds" not in fields:
         root.refuse("has no 'seconds'", "Say how long a trial is, for example 'seconds: 20'")
-    for measure, source in zip(measures, fields["measures"].items() if measures else [], strict=True):
-        if measure not in MEASURES:
-            source.refuse("is no measure", f"There are: {', '.join(MEASURES)}")
-    for name in design.parameters:
+    for name, source in _parameter_sources(fields).items():
         if "." in name and (why := check_parameter(name)):
-            fields["parameters"].fields()[name].refuse(why)
-    axes: dict[str, Sequence[Any]] = {
-        "robot": _names(fields.get("robots"), "robot", "humanoid22", beside, found),
-        "config": _names(fields.get("configs"), "config", "walk", beside, found),
-        "world": _names(fields.get("worlds"), "world", None, beside, found),
-        "mismatch": tuple(one.number(0, 10) for one in fields["mismatch"].items()) if "mismatch" in fields else (1.0,),
+            source.refuse(why)
+
+    def named(field: str, what: str, usual: str | None) -> Sequence[str | None]:
+        return _distinct(fields[field], lambda one: _named(one, what, beside, found)) if field in fields else (usual,)
+
+    axes: Taken = {
+        "robot": named("robots", "robot", "humanoid22"),
+        "config": named("configs", "config", "walk"),
+        "world": named("worlds", "world", None),
+        "mismatch": _distinct(fields["mismatch"], lambda one: one.number(0, 10)) if "mismatch" in fields else (1.0,),
         "seed": _seeds(fields["seeds"]),
     }
     scenarios = _scenarios(fields)
     axes["scenario"] = tuple(scenarios)
-    _check_variables(fields, scenarios, design)
+    _check_variables(fields, design)
     constant: Json = {"seconds": fields["seconds"].number(0.08, LONGEST_S)}
     constant["world_seed"] = fields["world_seed"].whole(0, MOST_SEED) if "world_seed" in fields else None
     constant["conditions"] = fields["conditions"].plain() if "conditions" in fields else None
-    return Sweep("robot", axes, design, constant, scenarios, measures)
+    return Sweep("robot", axes, design, constant, scenarios, measures, root, _places(fields))
 
 
-def _names(source: Source | None, what: str, usual: str | None, beside: Path, found: Any) -> tuple[str | None, ...]:
-    """Names of shipped ones, or paths as seen from the sweep's file."""
-    if source is None:
-        return (usual,)
-    names: list[str | None] = []
+def _places(fields: dict[str, Source]) -> dict[str, Sequence[Source]]:
+    """By the column's name."""
+    places: dict[str, Sequence[Source]] = {}
+    for field, column in (("robots", "robot"), ("configs", "config"), ("worlds", "world"), ("mismatch", "mismatch")):
+        if field in fields:
+            places[column] = fields[field].items()
+    if "scenario" in fields:
+        places["scenario"] = [fields["scenario"]]
+    if "scenarios" in fields:
+        places["scenario"] = list(fields["scenarios"].fields().values())
+    for name, source in _parameter_sources(fields).items():
+        places[name] = [source.fields()[end] for end in ("from", "to")] if source.is_map else source.items()
+    return places
+
+
+def _parameter_sources(fields: dict[str, Source]) -> dict[str, Source]:
+    return fields["parameters"].fields() if "parameters" in fields else {}
+
+
+def _distinct(source: Source, read: Callable[[Source], Any]) -> tuple[Any, ...]:
+    """The values of a list, each as `read` takes it; refuses one that stands there twice."""
+    values: dict[Any, Any] = {}
     for one in source.items():
-        if what == "world" and one.text() in ("", "null", "none", "~"):
-            names.append(None)
-            continue
-        path = found(what, one.text(), beside)
-        if path is None:
-            one.refuse(f"is no {what}: neither a shipped one nor a path from here")
-        names.append(path)
-    return tuple(names)
+        value = read(one)
+        is_number = isinstance(value, int | float) and not isinstance(value, bool)
+        key = value if is_number else canonical(value)  # 10 and 10.0 are one value
+        if key in values:
+            one.refuse("stands here twice", "The second would be the same trials once more; leave it out")
+        values[key] = value
+    return tuple(values.values())
+
+
+def _measures(fields: dict[str, Source], kind: str) -> tuple[str, ...]:
+    known = kind_of(kind).measures
+
+    def read(one: Source) -> str:
+        if one.text() not in known:
+            one.refuse("is no measure", f"There are: {', '.join(known)}")
+        return one.text()
+
+    return _distinct(fields["measures"], read) if "measures" in fields else ()
+
+
+def _named(source: Source, what: str, beside: Path, found: Callable[[str, str, Path], str | None]) -> str | None:
+    """The name of a shipped one, or a path as seen from the sweep's file; None: the world without a name."""
+    if what == "world" and source.text() in ("", "null", "none", "~"):
+        return None
+    path = found(what, source.text(), beside)
+    if path is None:
+        source.refuse(f"is no {what}: neither a shipped one nor a path from here")
+    return path
 
 
 def _seeds(source: Source) -> tuple[int, ...] | range:
     """1..20, or a list."""
     if not source.is_list and ".." in source.text():
-        ends = source.text().split("..")
-        if len(ends) != 2 or not all(end.strip().isdigit() for end in ends) or int(ends[0]) > int(ends[1]):
-            source.refuse("must be FIRST..LAST", "For example 1..20")
-        if int(ends[1]) > MOST_SEED:
+        ends = SEEDS.fullmatch(source.text())
+        first, last = (int(end) for end in ends.groups()) if ends else (1, 0)
+        if first > last:
+            source.refuse("must be FIRST..LAST, whole numbers", "For example 1..20")
+        if last > MOST_SEED:
             source.refuse(f"must be at most {MOST_SEED}")
-        return range(int(ends[0]), int(ends[1]) + 1)
-    seeds = tuple(one.whole(0, MOST_SEED) for one in source.items())
-    if len(set(seeds)) < len(seeds):
-        source.refuse("has a seed twice", "The second would be the same robot once more; leave it out")
-    return seeds
+        return range(first, last + 1)
+    return _distinct(source, lambda one: one.whole(0, MOST_SEED))
 
 
 def _scenarios(fields: dict[str, Source]) -> dict[str, list[Json]]:
     if "scenario" in fields and "scenarios" in fields:
         fields["scenario"].refuse("stands beside 'scenarios'", "Move it into 'scenarios', under a name")
     if "scenarios" in fields:
+        if not fields["scenarios"].fields():
+            fields["scenarios"].refuse("has none", "Give one, or leave it out")
         return {name: _events(one) for name, one in fields["scenarios"].fields().items()}
     return {"": _events(fields["scenario"])} if "scenario" in fields else {"": [{"at_s": 1.0, "walk": [0.15, 0.0, 0.0]}]}
 
@@ -191,21 +262,38 @@ def _events(source: Source) -> list[Json]:
     return events
 
 
-def _check_variables(fields: dict[str, Source], scenarios: dict[str, list[Json]], design: Design) -> None:
+def _check_variables(fields: dict[str, Source], design: Design) -> None:
     """A variable of a scenario is a parameter without a dot; the other way round, too."""
-    used = set(VARIABLE.findall(repr(scenarios)))
-    given = {"$" + name for name in design.parameters if "." not in name}
-    where = fields.get("scenario") or fields.get("scenarios") or fields.get("parameters")
-    for name in sorted(used - given):
-        if where:
-            where.refuse(f"uses {name}, which 'parameters' has not", f"Add {name[1:]} there")
-    for name in sorted(given - used):
-        fields["parameters"].fields()[name[1:]].refuse(
-            "is neither PLUGIN.PARAMETER nor used in a scenario", f"Write ${name[1:]} where its value belongs"
-        )
+    sources = _parameter_sources(fields)
+    written = [fields[name] for name in ("scenario", "scenarios") if name in fields]
+    used: set[str] = set()
+    for one in [scalar for source in written for scalar in source.scalars() if VARIABLE.search(scalar.text())]:
+        name = one.text()[1:]
+        if not VARIABLE.fullmatch(one.text()):
+            one.refuse("is more than a variable", "A variable stands alone, for example $push")
+        if name not in sources:
+            one.refuse("is a variable that 'parameters' has not", f"Add {name} there")
+        used.add(name)
+        if one.field.endswith(".at_s"):
+            _check_times(one.field, sources[name])
+    for name, source in sources.items():
+        if "." not in name and name not in used:
+            source.refuse("is neither PLUGIN.PARAMETER nor used in a scenario", f"Write ${name} where its value belongs")
+
+
+def _check_times(field: str, source: Source) -> None:
+    """Of a variable that says when something happens."""
+    parts = source.fields() if source.is_map else {}
+    if "unit" in parts:
+        parts["unit"].refuse(f"is a unit, and {field} is a number of seconds", "Leave it out")
+    for one in [parts["from"], parts["to"]] if parts else source.items():
+        value = one.plain()
+        if isinstance(value, bool) or not isinstance(value, int | float) or not 0 <= value <= LONGEST_S:
+            one.refuse(f"must be a number of seconds, 0 to {LONGEST_S:g}: it is {field}")
 
 
 def _filled_in(value: Any, variables: Json) -> Any:
+    """With their values in the place of variables."""
     if isinstance(value, dict):
         return {name: _filled_in(one, variables) for name, one in value.items()}
     if isinstance(value, list):
@@ -235,22 +323,20 @@ def _design(fields: dict[str, Source]) -> Design:
 
 
 def _parameters(fields: dict[str, Source], *, drawn: bool) -> dict[str, Values | Range]:
-    if "parameters" not in fields:
-        return {}
-    return {name: _values(one, drawn=drawn) for name, one in fields["parameters"].fields().items()}
+    return {name: _values(one, drawn=drawn) for name, one in _parameter_sources(fields).items()}
 
 
 def _values(source: Source, *, drawn: bool) -> Values | Range:
     if not source.is_map:
-        return Values(tuple(one.plain() for one in source.items()))
+        return Values(_distinct(source, Source.plain))
     parts = source.fields(("from", "to", "steps", "scale", "unit"))
     if "from" not in parts or "to" not in parts:
         source.refuse("must have 'from' and 'to'", "For example {from: 0.02, to: 0.04, steps: 5}, or a list of values")
     logarithmic = "scale" in parts and parts["scale"].text() != "linear"
     if logarithmic and parts["scale"].text() != "logarithmic":
         parts["scale"].refuse("must be linear or logarithmic")
-    lowest = parts["from"].number(1e-300 if logarithmic else -1e300)
-    highest = parts["to"].number()
+    lowest = parts["from"].number(1e-300 if logarithmic else -1e300, 1e300)
+    highest = parts["to"].number(-1e300, 1e300)
     if highest <= lowest:
         parts["to"].refuse(f"must be above 'from', which is {lowest:g}")
     if drawn and "steps" in parts:
@@ -258,4 +344,7 @@ def _values(source: Source, *, drawn: bool) -> Values | Range:
     if not drawn and "steps" not in parts:
         source.refuse("has no 'steps'", "Say how many values a grid shall take, for example steps: 5")
     steps = parts["steps"].whole(2, MOST_TRIALS) if "steps" in parts else None
-    return Range(lowest, highest, steps, logarithmic, parts["unit"].text() if "unit" in parts else "")
+    taken = Range(lowest, highest, steps, logarithmic, parts["unit"].text() if "unit" in parts else "")
+    if taken.at(0.0) == taken.at(1.0) or (steps and (taken.nth(0) == taken.nth(1) or taken.nth(steps - 2) == taken.nth(steps - 1))):
+        source.refuse("has steps of which two are one value", "Take fewer steps, or a wider range")
+    return taken

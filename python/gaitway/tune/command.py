@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 import argparse
-import signal
 import sys
 from pathlib import Path
 from typing import Any
 
-from gaitway.sweep.complaint import EXIT_BAD_INPUT, EXIT_FINE, EXIT_NOT_DONE, InputError, SweepError
+from gaitway.sweep.check import complaint
+from gaitway.sweep.complaint import EXIT_FINE, InputError
 from gaitway.sweep.engine import Engine
-from gaitway.sweep.place import HELP, pool_at
+from gaitway.sweep.place import pool_at
+from gaitway.sweep.program import Parser, run_program
+from gaitway.sweep.store import open_store
 from gaitway.sweep.results import prepare_folder, write_whole
 from gaitway.sweep.robot_trial import found, place_of
-from gaitway.sweep.store import Store, default_folder
 
-from .numbers import NUMBERS, by_names
+from .numbers import NUMBERS, by_names, parameters
 from .tuning import Plan, Tuned, tune
 from .verdict import report, tuned_config
 from .walks import Body, Subject
@@ -37,48 +38,21 @@ SIZES = {  # generations, population, seeds of the search, seeds of the verdict,
     "small": (2, 3, 1, 2, 3.5),
     "usual": (30, 12, 8, 60, 12.0),
 }
+MOST_GENERATIONS = 100_000
 FIRST_HELD_OUT = 100_001
 
 
 def main(arguments: list[str] | None = None) -> int:
-    options = _parse(arguments)
-    signal.signal(signal.SIGTERM, signal.default_int_handler)
-    try:
-        return _run(options)
-    except SweepError as error:
-        print(f"gaitway tune: {error}", file=sys.stderr)
-        return error.exit_code
-    except ValueError as error:
-        print(f"gaitway tune: {error}", file=sys.stderr)
-        return EXIT_BAD_INPUT
-    except KeyboardInterrupt:
-        print("gaitway tune: interrupted. The same command goes on from there", file=sys.stderr)
-        return EXIT_NOT_DONE
-
-
-class _Parser(argparse.ArgumentParser):
-    def error(self, message: str) -> None:  # type: ignore[override]
-        print(f"gaitway tune: {message}. See gaitway tune --help", file=sys.stderr)
-        raise SystemExit(EXIT_BAD_INPUT)
-
-
-def _parse(arguments: list[str] | None) -> argparse.Namespace:
-    parser = _Parser(
-        prog="gaitway tune",
-        description="Tune the gait's dimensionless numbers of a robot by CMA-ES, on trials of robots with deviations.",
-        epilog=EXAMPLES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
+    what = "Tune the gait's dimensionless numbers of a robot by CMA-ES, on trials of robots with deviations."
+    parser = Parser("gaitway tune", what, EXAMPLES)
     parser.add_argument("--robot", required=True, help="a shipped robot, or a folder")
     parser.add_argument("--config", default="walk", help="what is tuned: a shipped configuration or a file (default walk)")
-    parser.add_argument("--on", default="local", metavar="PLACE", help=HELP)
     parser.add_argument("--out", type=Path, metavar="DIR", help="default: the robot's folder; of a shipped one out/tune/ROBOT")
-    parser.add_argument("--store", type=Path, metavar="DIR", help=f"where trials' results are kept (default {default_folder()})")
     parser.add_argument("--size", choices=list(SIZES), default="usual", help="how long it searches, and on how many robots")
     parser.add_argument("--numbers", help=f"what is tuned, with commas (default: {len(NUMBERS)} numbers)")
-    parser.add_argument("--generations", type=int, metavar="N")
+    parser.add_argument("--generations", type=int, metavar="N", help="in the place of the size's")
     parser.add_argument("--seed", type=int, default=1, help="of the search (default 1)")
-    return parser.parse_args(arguments)
+    return run_program(parser, arguments, _run)
 
 
 def _run(options: argparse.Namespace) -> int:
@@ -86,21 +60,42 @@ def _run(options: argparse.Namespace) -> int:
     if robot is None or config is None:
         what, name = ("robot", options.robot) if robot is None else ("config", options.config)
         raise InputError(f"--{what} {name}: is neither a shipped one nor a path")
-    generations, population, training, held_out, seconds = SIZES[options.size]
-    numbers = by_names(options.numbers.split(",")) if options.numbers else NUMBERS
-    plan = Plan(
-        numbers, options.generations or generations, population, options.seed, range(1, training + 1),
-        range(FIRST_HELD_OUT, FIRST_HELD_OUT + held_out),
-    )
+    plan, seconds = _plan(options)
+    store = open_store(options.store)
+    subject = Subject(robot, config, _body(robot), seconds)
+    _check(plan, subject)
     folder = options.out or (Path(robot) if "/" in robot else Path("out/tune") / robot)
     prepare_folder(folder)
-    subject = Subject(robot, config, _body(robot), seconds)
     with pool_at(options.on) as pool:
-        engine = Engine("robot", pool, Store(options.store or default_folder()), tell=_tell)
+        engine = Engine("robot", pool, store, patience_s=options.patience, tell=_tell)
         tuned = tune(plan, subject, engine, folder / "tuning.json", _tell)
     text = _write(folder, robot, config, plan, tuned, seconds, engine)
     print(text)
     return EXIT_FINE if tuned.verdict.reached else EXIT_NOT_BETTER
+
+
+def _plan(options: argparse.Namespace) -> tuple[Plan, float]:
+    """And the seconds of a trial. InputError."""
+    for name, lowest, highest in (("generations", 1, MOST_GENERATIONS), ("seed", 0, 2**32 - 1)):
+        value = getattr(options, name)
+        if value is not None and not lowest <= value <= highest:
+            raise InputError(f"--{name} {value}: must be {lowest} to {highest}")
+    generations, population, training, held_out, seconds = SIZES[options.size]
+    numbers = by_names(options.numbers.split(",")) if options.numbers is not None else NUMBERS
+    plan = Plan(
+        numbers, options.generations or generations, population, options.seed, range(1, training + 1),
+        range(FIRST_HELD_OUT, FIRST_HELD_OUT + held_out),
+    )
+    return plan, seconds
+
+
+def _check(plan: Plan, subject: Subject) -> None:
+    """InputError where this robot does not walk with this configuration, or the configuration has not all that is tuned."""
+    usual = parameters(plan.numbers, [0.0] * len(plan.numbers))
+    for what, given in (("", {}), (" and the numbers that are tuned", usual)):
+        for trial in subject.trials(given, plan.training[:1]):
+            if why := complaint("robot", trial.description):
+                raise InputError(f"--robot {subject.robot} --config {subject.config}{what}: cannot run: {why}")
 
 
 def _write(folder: Path, robot: str, config: str, plan: Plan, tuned: Tuned, seconds: float, engine: Engine) -> str:
@@ -123,10 +118,13 @@ def _write(folder: Path, robot: str, config: str, plan: Plan, tuned: Tuned, seco
 
 
 def _body(robot: str) -> Body:
-    from gaitway import Robot
+    from gaitway import PluginError, Robot
 
-    with Robot(robot) as one:
-        return Body(one.hip_height_m, one.mass_kg)
+    try:
+        with Robot(robot) as one:
+            return Body(one.hip_height_m, one.mass_kg)
+    except (PluginError, ValueError) as error:
+        raise InputError(f"--robot {robot}: {error}") from error
 
 
 def _tell(news: str) -> None:

@@ -6,6 +6,8 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from gaitway.sweep.complaint import InputError
+
 
 @dataclass(frozen=True)
 class GaitNumber:
@@ -42,11 +44,13 @@ NUMBERS = (
 
 
 def by_names(names: Sequence[str]) -> tuple[GaitNumber, ...]:
-    """ValueError for one that there is not."""
+    """InputError for one that there is not, or that is named twice."""
     known = {number.parameter: number for number in NUMBERS}
     unknown = [name for name in names if name not in known]
     if unknown:
-        raise ValueError(f"{unknown[0]}: is no number that can be tuned. There are: {', '.join(known)}")
+        raise InputError(f"--numbers '{unknown[0]}': is no number that can be tuned. There are: {', '.join(known)}")
+    if twice := [name for place, name in enumerate(names) if name in names[:place]]:
+        raise InputError(f"--numbers '{twice[0]}': stands there twice. Leave one out")
     return tuple(known[name] for name in names)
 
 

@@ -6,6 +6,7 @@ The file holds the costs of each generation. The candidates follow from them and
 from __future__ import annotations
 
 import json
+import math
 import os
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -59,17 +60,26 @@ def _strategy(dimensions: int, population: int, seed: int) -> Any:
 def _known(file: Path, about: Json) -> list[list[float]]:
     try:
         state = json.loads(file.read_text())
+        before = dict(state["about"])
+        if different := [name for name in about if before.get(name) != about[name]]:
+            raise InputError(
+                f"{file}: is of another search: '{different[0]}' was {before.get(different[0])} and is "
+                f"{about[different[0]]}. Remove it to begin anew, or choose another --out"
+            )
+        return [_costs(one, about["population"]) for one in state["costs"]]
     except FileNotFoundError:
         return []
-    except (OSError, ValueError) as error:
-        raise InputError(f"{file}: cannot be read: {error}. Remove it to begin anew") from error
-    different = [name for name in about if state.get("about", {}).get(name) != about[name]]
-    if different:
-        raise InputError(
-            f"{file}: is of another search: '{different[0]}' was {state.get('about', {}).get(different[0])} and is "
-            f"{about[different[0]]}. Remove it to begin anew, or choose another --out"
-        )
-    costs: list[list[float]] = state["costs"]
+    except InputError:
+        raise
+    except (OSError, ValueError, TypeError, KeyError, RecursionError) as error:
+        raise InputError(f"{file}: cannot be read: {type(error).__name__}: {error}. Remove it to begin anew") from error
+
+
+def _costs(generation: Any, population: int) -> list[float]:
+    """ValueError, TypeError where it has not a finite cost for each candidate."""
+    costs = [float(one) for one in generation]
+    if len(costs) != population or not all(map(math.isfinite, costs)):
+        raise ValueError(f"{population} finite costs are a generation, not {generation}")
     return costs
 
 

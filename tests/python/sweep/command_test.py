@@ -74,6 +74,17 @@ def test_a_plan_runs_nothing(file: pathlib.Path, tmp_path: pathlib.Path, capsys:
     assert not (tmp_path / "out").exists()
 
 
+def test_a_plan_of_a_million_trials_is_quick(tmp_path: pathlib.Path, capsys: pytest.CaptureFixture[str]) -> None:
+    place = tmp_path / "sweep.yaml"
+    place.write_text("trial: rehearsal\nseeds: 1..1000\nparameters: {rounds: {from: 1, to: 1000, steps: 1000}, sleep_s: [1]}\n")
+    began = time.process_time()
+    assert command.main([str(place), "--plan", "--store", str(tmp_path / "store")]) == 0
+    assert time.process_time() - began < 5.0
+    said = capsys.readouterr().out
+    assert said.startswith("1000000 trials: 1000 seed, 1000 points of 2 parameters")
+    assert "about 0 of them are known; the others take about 277:5" in said
+
+
 @pytest.mark.parametrize(
     ("arguments", "complaint"),
     [
@@ -82,12 +93,18 @@ def test_a_plan_runs_nothing(file: pathlib.Path, tmp_path: pathlib.Path, capsys:
         (["FILE", "--on", "local:0"], "--on local:0"),
         (["FILE", "--out", "/proc/none"], "--out /proc/none"),
         (["FILE", "--patience", "nan"], "--patience nan"),
+        (["FILE", "--on", "local:²"], "--on local:²: is no place for trials"),
+        (["FILE", "--on", "ray://here", "--plan"], "--on ray://here: is no place for trials"),
+        (["f" * 300], "File name too long"),
+        (["WRONG"], "parameters.rounds[1]: '-1' cannot run: rounds = -1: must be a number, 1 to 1e+09"),
     ],
 )
 def test_bad_input_ends_with_1(
     arguments: list[str], complaint: str, file: pathlib.Path, tmp_path: pathlib.Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    line = [str(file) if word == "FILE" else word for word in arguments]
+    wrong = tmp_path / "wrong.yaml"
+    wrong.write_text("trial: rehearsal\nseeds: 1..3\nparameters: {rounds: [5, -1]}\n")
+    line = [{"FILE": str(file), "WRONG": str(wrong)}.get(word, word) for word in arguments]
     assert command.main([*line, "--store", str(tmp_path / "store")]) == 1
     assert complaint in capsys.readouterr().err
     assert stored(tmp_path / "store") == 0
@@ -95,7 +112,7 @@ def test_bad_input_ends_with_1(
 
 def test_a_trial_that_nobody_can_run_is_a_result(tmp_path: pathlib.Path) -> None:
     place = tmp_path / "sweep.yaml"
-    place.write_text("trial: rehearsal\nseeds: 1..3\nparameters: {rounds: [5, -1]}\n")
+    place.write_text("trial: rehearsal\nseeds: 1..3\nparameters: {error_share: [0, 1]}\n")
     run = SweepRun(place, "local:1", tmp_path / "out", tmp_path / "store")
     assert run.finish() == 0, run.log.read_text()
     rows = list(csv.DictReader((tmp_path / "out/results.csv").open()))

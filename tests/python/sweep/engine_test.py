@@ -13,6 +13,7 @@ import pytest
 from gaitway.sweep.complaint import DisagreementError, NoWorkersError, ResultsError, TrialError
 from gaitway.sweep.engine import MOST_IN_REQUEST, Engine
 from gaitway.sweep.pool import Member, Report
+from gaitway.sweep.second_runs import MOST_WAITING, FirstRun, SecondRuns
 from gaitway.sweep.store import Store
 from gaitway.sweep.trial import Trial, key_of, kind_of
 from gaitway.sweep.work import perform
@@ -205,6 +206,19 @@ def test_a_lone_worker_says_that_nothing_was_compared(store: Store) -> None:
     engine, _ = run(MadeUpPool(a=perform), store, 20)
     assert engine.second_runs.agreed == 0
     assert engine.tally.not_run_twice == sum(trial.is_run_twice for trial in trials(20))
+
+
+def test_what_waits_for_a_second_worker_does_not_grow_with_the_sweep(store: Store) -> None:
+    seconds = SecondRuns(store)
+    wanted = [trial for trial in trials(150_000) if trial.is_run_twice]
+    assert len(wanted) > MOST_WAITING
+    for trial in wanted:
+        seconds.want(FirstRun(trial, "{}", "a", "a"))
+    taken = 0
+    while seconds.next_for("b"):
+        taken += 1
+    assert taken == MOST_WAITING
+    assert seconds.give_up() == len(wanted)
 
 
 def test_nobody_comes(store: Store) -> None:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 import pytest
 
 import faults
+import namespaces
 from loopback_cluster import Cluster
 
 MOST_GIVEN_AGAIN = 2 * 2 * 7  # two requests of a quarter of a second at each of two workers
@@ -22,10 +23,22 @@ def cluster(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Cluster]:
         yield one
 
 
-@pytest.mark.parametrize("fault", ["worker", "cut_off", "client", "scheduler"])
+@pytest.mark.parametrize("fault", ["worker", "stopped", "client", "scheduler"])
 def test_only_what_runs_is_lost(fault: str, cluster: Cluster, local: bytes, tmp_path: pathlib.Path) -> None:
     figures = faults.one_round(fault, cluster, tmp_path / fault, local, away_s=3.0)
     assert figures.exit_code == 0, figures.words
     assert figures.identical, figures.words
     assert figures.rerun == 0
     assert figures.again <= MOST_GIVEN_AGAIN
+
+
+@pytest.mark.parametrize("fault", ["network", "disk"])
+def test_a_worker_that_is_cut_off_and_one_without_room(fault: str, local: bytes, tmp_path: pathlib.Path) -> None:
+    if why := namespaces.missing():
+        pytest.skip(why)
+    with faults.cluster_for(fault, tmp_path / "cluster") as cluster:
+        figures = faults.one_round(fault, cluster, tmp_path / fault, local, away_s=3.0)
+    assert figures.exit_code == 0, figures.words
+    assert figures.identical, figures.words
+    assert figures.rerun == 0
+    assert figures.alone > 0 or fault == "disk"

@@ -1,4 +1,4 @@
-"""A Dask cluster on loopback whose parts are processes that a test may kill, stop and start again by their ids."""
+"""A Dask cluster on this computer whose parts are processes that a test may kill, stop and start again by their ids."""
 
 from __future__ import annotations
 
@@ -11,6 +11,9 @@ import socket
 import subprocess
 import sys
 import time
+from collections.abc import Sequence
+
+import namespaces
 
 PACKAGE = pathlib.Path(__file__).resolve().parents[3] / "python"
 
@@ -28,23 +31,24 @@ def environment(**more: str) -> dict[str, str]:
 
 
 class Cluster:
-    """`scheduler`, `workers`: processes, which may be replaced."""
+    """`scheduler`, `workers`: processes, which may be replaced. `enter`: before each command, also of a client."""
 
-    def __init__(self, folder: pathlib.Path) -> None:
-        self.folder, self.port = folder, free_port()
-        self.address = f"127.0.0.1:{self.port}"
+    def __init__(self, folder: pathlib.Path, host: str = "127.0.0.1", enter: Sequence[str] = ()) -> None:
+        self.folder, self.host, self.port, self.enter = folder, host, free_port(), enter
+        self.address = f"{host}:{self.port}"
         self.processes: list[subprocess.Popen[bytes]] = []
         self.scheduler = self.start_scheduler()
         self.workers: list[subprocess.Popen[bytes]] = []
 
     def start_scheduler(self) -> subprocess.Popen[bytes]:
-        self.scheduler = self._start("scheduler", "--host", "127.0.0.1", "--port", str(self.port), "--no-dashboard")
+        self.scheduler = self._start(self.enter, "scheduler", "--host", self.host, "--port", str(self.port), "--no-dashboard")
         return self.scheduler
 
-    def start_worker(self, **more: str) -> subprocess.Popen[bytes]:
+    def start_worker(self, *, host: str = "", enter: Sequence[str] = (), **more: str) -> subprocess.Popen[bytes]:
+        """Where the scheduler is, unless it is told otherwise."""
         worker = self._start(
-            "worker", f"tcp://{self.address}", "--host", "127.0.0.1", "--nthreads", "1", "--no-nanny", "--no-dashboard",
-            "--local-directory", str(self.folder / "scratch"), **more,
+            enter or self.enter, "worker", f"tcp://{self.address}", "--host", host or self.host, "--nthreads", "1", "--no-nanny",
+            "--no-dashboard", "--local-directory", str(self.folder / "scratch"), **more,
         )
         self.workers.append(worker)
         return worker
@@ -64,11 +68,11 @@ class Cluster:
         while len(self.workers) < 2:
             self.start_worker()
 
-    def _start(self, what: str, *arguments: str, **more: str) -> subprocess.Popen[bytes]:
+    def _start(self, enter: Sequence[str], what: str, *arguments: str, **more: str) -> subprocess.Popen[bytes]:
         self.folder.mkdir(parents=True, exist_ok=True)
         with (self.folder / f"{what}.log").open("ab") as log:
             process = subprocess.Popen(
-                [sys.executable, "-m", "dask", what, *arguments],
+                [*enter, sys.executable, "-m", "dask", what, *arguments],
                 env=environment(**more), stdout=log, stderr=log,
             )
         self.processes.append(process)
@@ -86,16 +90,48 @@ class Cluster:
             process.wait()
 
 
-class SweepRun:
-    """A sweep as a process of its own, with its folder."""
+class CutCluster(Cluster):
+    """Its first worker is at the other end of a cable. It keeps what it ran in `far_store`, a link that may be set anew."""
 
-    def __init__(self, file: pathlib.Path, on: str, out: pathlib.Path, store: pathlib.Path, *options: str) -> None:
+    def __init__(self, folder: pathlib.Path, cable: namespaces.Cable) -> None:
+        super().__init__(folder, namespaces.NEAR, cable.near)
+        self.cable, self.far_store = cable, folder / "far_store"
+        self.far_worker: subprocess.Popen[bytes] | None = None
+
+    def make_whole(self) -> None:
+        if self.far_worker is None or self.far_worker.poll() is not None:
+            self.far_worker = self.start_worker(host=namespaces.FAR, enter=self.cable.far, GAITWAY_SWEEP_STORE=str(self.far_store))
+        super().make_whole()
+
+
+class FullCluster(Cluster):
+    """Its first worker has a disk of its own, too small for what it runs."""
+
+    def __init__(self, folder: pathlib.Path, kibibytes: int = 48) -> None:
+        super().__init__(folder)
+        self._small = folder / "small_disk"
+        self.full_worker = self.start_worker(
+            enter=namespaces.with_small_disk(self._small, kibibytes), GAITWAY_SWEEP_STORE=str(self._small)
+        )
+
+    @property
+    def small_disk(self) -> pathlib.Path:
+        """As its worker sees it."""
+        return pathlib.Path(f"/proc/{self.full_worker.pid}/root{self._small}")
+
+
+class SweepRun:
+    """A sweep as a process of its own, with its folder. `enter`: before the command."""
+
+    def __init__(
+        self, file: pathlib.Path, on: str, out: pathlib.Path, store: pathlib.Path, *options: str, enter: Sequence[str] = ()
+    ) -> None:
         self.out = out
         out.mkdir(parents=True, exist_ok=True)
         self.log = out / "log.txt"
         with self.log.open("ab") as log:
             self.process = subprocess.Popen(
-                [sys.executable, "-m", "gaitway.sweep.command", str(file), "--on", on, "--out", str(out), "--store", str(store),
+                [*enter, sys.executable, "-m", "gaitway.sweep.command", str(file), "--on", on, "--out", str(out), "--store", str(store),
                  *options],
                 env=environment(), stdout=log, stderr=log,
             )

@@ -18,6 +18,7 @@ from gaitway.sweep.pool import Member, Report
 from gaitway.sweep.store import Store
 from gaitway.sweep.trial import Trial, key_of
 from gaitway.sweep.work import perform
+from gaitway.tune import command
 from gaitway.tune.numbers import NUMBERS, by_names
 from gaitway.tune.tuning import Plan, tune
 from gaitway.tune.verdict import report, tuned_config
@@ -159,6 +160,46 @@ def test_the_file_of_another_search_is_refused(made_up: object, tmp_path: pathli
     state.write_text(json.dumps({"costs": ""})[:5])
     with pytest.raises(InputError, match="Remove it to begin anew"):
         tune(plan(1), Tried(), engine(tmp_path / "store"), state, lambda _: None)
+
+
+@pytest.mark.parametrize("costs", [5, [[1.0]], [["a"] * 6], [[1e999] * 6], [None], {}, None])
+def test_a_file_whose_costs_are_none_is_refused(made_up: object, tmp_path: pathlib.Path, costs: object) -> None:
+    state = tmp_path / "state.json"
+    tune(plan(1), Tried(), engine(tmp_path / "store"), state, lambda _: None)
+    about = json.loads(state.read_text())["about"]
+    state.write_text(json.dumps({"about": about, "costs": costs} if costs != {} else [about]))
+    with pytest.raises(InputError, match=r"state.json: cannot be read: .* Remove it to begin anew"):
+        tune(plan(1), Tried(), engine(tmp_path / "store"), state, lambda _: None)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "complaint"),
+    [
+        (["--generations", "0"], "--generations 0: must be 1 to 100000"),
+        (["--seed", "-1"], "--seed -1: must be 0 to 4294967295"),
+        (["--seed", "4294967296"], "--seed 4294967296: must be 0 to"),
+        (["--numbers", "trajectory.lift,trajectory.lift"], "--numbers 'trajectory.lift': stands there twice"),
+        (["--numbers", ""], "--numbers '': is no number that can be tuned. There are: trajectory.step_time"),
+        (["--robot", "r" * 300], f"--robot {'r' * 300}: is neither a shipped one nor a path"),
+        (["--config", "HERE"], "lacks.yaml:1: plugins = a list of 0: must be a list"),
+        (["--on", "local:²"], "--on local:²: is no place for trials"),
+        (["--store", "/proc/none"], "--store /proc/none: "),
+        (["--patience", "-1"], "--patience -1.0: must be 0 or more"),
+        (["--size", "huge"], "gaitway tune: argument --size: invalid choice"),
+    ],
+)
+def test_bad_input_ends_with_1(arguments: list[str], complaint: str, tmp_path: pathlib.Path, capsys: pytest.CaptureFixture[str]) -> None:
+    lacks = tmp_path / "lacks.yaml"
+    lacks.write_text("plugins: []\n")
+    line = [str(lacks) if word == "HERE" else word for word in arguments]
+    usual = ["--robot", "humanoid22", "--out", str(tmp_path / "out"), "--store", str(tmp_path / "store"), "--size", "small"]
+    try:
+        code = command.main([*usual, *line])
+    except SystemExit as end:
+        code = int(str(end.code))
+    assert code == 1
+    assert complaint in capsys.readouterr().err
+    assert not list((tmp_path / "store").glob("??/*"))
 
 
 def test_the_configuration_has_the_numbers_and_all_that_was_there() -> None:
