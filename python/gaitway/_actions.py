@@ -42,8 +42,15 @@ class TopicAction:
                  takes_over: bool = False) -> None:
         self.topic = _topics.find(topic)
         self.fields = [self.topic.field(name) for name in fields]
+        for field in self.fields:
+            if field.dtype.kind != "f":
+                raise TypeError(f"topic '{topic}', field '{field.name}': {field.dtype}, and an action's numbers are not whole. "
+                                "Give it in `constants`")
         self.constants = dict(constants or {})
         self.writes = (topic,) if takes_over else ()
+        self._value = _topics.value_of(self.topic, self.constants, 0).reshape(1)
+        self._numbers = _topics.Numbers(self._value, [(field, ()) for field in self.fields])
+        self._stamp = self._value["stamp_ns"] if "stamp_ns" in self.topic.fields and "stamp_ns" not in self.constants else None
         self._sizes = [int(np.prod(field.shape, dtype=int)) for field in self.fields]
         size = sum(self._sizes)
         self._low = self._bound(low, [field.lowest for field in self.fields], size)
@@ -62,12 +69,10 @@ class TopicAction:
         pass
 
     def write(self, robot: Robot, action: Vector) -> None:
-        value: dict[str, Any] = dict(self.constants)
-        at = 0
-        for field, size in zip(self.fields, self._sizes, strict=True):
-            value[field.name] = action[at : at + size].reshape(field.shape)
-            at += size
-        robot.write(self.topic.name, value)
+        if self._stamp is not None:
+            self._stamp[0] = robot._run.now_ns
+        self._numbers.set(action)
+        robot._run.write(self.topic.index, self._value)
 
 
 class WalkAction(TopicAction):

@@ -61,6 +61,7 @@ class Env(gymnasium.Env[Vector, Vector]):
         self._chosen: Vector = np.zeros(0)
         self._before = self.robot.truth()
         low, high = self._action.bounds(self.robot)
+        self._bounds: tuple[list[float], list[float]] = (low.tolist(), high.tolist())
         self.action_space = gymnasium.spaces.Box(low, high, dtype=np.float64)
         self.observation_space = gymnasium.spaces.Box(self._observation.low, self._observation.high, dtype=np.float64)
 
@@ -74,9 +75,11 @@ class Env(gymnasium.Env[Vector, Vector]):
         return self.finish_reset()
 
     def step(self, action: Vector) -> tuple[Vector, float, bool, bool, dict[str, Any]]:
-        self.begin_step(action)
+        self.begin_step(self.checked(action))
         self.robot.run(CYCLE_S)
-        return self.finish_step()
+        transition, terminated, truncated = self.end_cycle()
+        observation, reward, info = self.told(transition)
+        return observation, reward, terminated, truncated, info
 
     def close(self) -> None:
         if not self.robot.closed:
@@ -100,31 +103,39 @@ class Env(gymnasium.Env[Vector, Vector]):
         self._before = self.robot.truth()
         return self._observation.read(), {"time_s": self.robot.time_s}
 
-    def begin_step(self, action: Vector) -> None:
+    def checked(self, action: Vector) -> Vector:
+        """What may be taken for a step. Raises where it may not, or where there is no step."""
         if self._needs_reset:
             raise gymnasium.error.ResetNeeded("step() before reset(), or after the end of an episode")
         chosen = np.asarray(action)
         if chosen.dtype.kind not in "fiu":
             raise TypeError(f"action: {chosen.dtype} where numbers are wanted")
-        space = self.action_space
-        assert isinstance(space, gymnasium.spaces.Box)
-        if chosen.shape != space.shape:
-            raise ValueError(f"action: shape {chosen.shape}; must be {space.shape}")
+        low, high = self._bounds
+        if chosen.shape != (len(low),):
+            raise ValueError(f"action: shape {chosen.shape}; must be ({len(low)},)")
         chosen = chosen.astype(np.float64)
-        if not (np.all(chosen >= space.low) and np.all(chosen <= space.high)):  # false for what is not a number
-            raise ValueError(f"action = {chosen}: must be within {space.low} and {space.high}. "
-                             "gymnasium.wrappers.ClipAction cuts it off there")
-        self._chosen = chosen
-        self._action.write(self.robot, chosen)
+        for least, number, most in zip(low, chosen.tolist(), high, strict=True):  # quicker than NumPy with cold caches
+            if not least <= number <= most:  # as of what is not a number
+                raise ValueError(f"action = {chosen}: must be within {low} and {high}. gymnasium.wrappers.ClipAction cuts it off there")
+        return chosen
 
-    def finish_step(self) -> tuple[Vector, float, bool, bool, dict[str, Any]]:
+    def begin_step(self, checked: Vector) -> None:
+        self._chosen = checked
+        self._action.write(self.robot, checked)
+
+    def end_cycle(self) -> tuple[Transition, bool, bool]:
+        """What has happened, and whether it terminates or truncates the episode. The step is done, whatever its reward."""
         self._cycle += 1
         before, after, fallen = self._before, self.robot.truth(), self.robot.fallen
         self._before = after
-        reward = float(self._reward(Transition(self.robot, self._chosen, before, after, CYCLE_S, fallen)))
-        truncated = not fallen and self._cycle >= self._cycles
         self._needs_reset = fallen
-        return self._observation.read(), reward, fallen, truncated, {"time_s": self.robot.time_s}
+        truncated = not fallen and self._cycle >= self._cycles
+        return Transition(self.robot, self._chosen, before, after, CYCLE_S, fallen), fallen, truncated
+
+    def told(self, transition: Transition) -> tuple[Vector, float, dict[str, Any]]:
+        """Observation, reward and info."""
+        reward = float(self._reward(transition))
+        return self._observation.read(), reward, {"time_s": self.robot.time_s}
 
 
 def _whole_cycles(name: str, seconds: float, least: int) -> int:

@@ -26,30 +26,30 @@ class Observation:
         self.labels: list[str] = []
         low: list[float] = []
         high: list[float] = []
-        self._parts: list[tuple[Any, Any, slice]] = []
+        self._parts: list[tuple[_topics.Numbers, slice]] = []
         for name in names:
             topic_name, _, field_name = name.partition(".")
             topic = _topics.find(topic_name)
             chosen = [topic.field(field_name)] if field_name else [f for f in topic.fields.values() if not _is_stamp(f)]
-            for field in chosen:
-                self._add(robot, topic, field, low, high)
+            self._add(robot, topic, chosen, low, high)
         self.low, self.high = np.array(low), np.array(high)
 
-    def _add(self, robot: Robot, topic: _topics.Topic, field: _topics.Field, low: list[float], high: list[float]) -> None:
-        shown = robot.view(topic.name)[field.name]
-        keep = tuple(slice(len(robot.joints)) if extent == _topics.JOINT_EXTENT else slice(None) for extent in field.shape)
-        part = shown[keep] if field.shape else shown
+    def _add(self, robot: Robot, topic: _topics.Topic, fields: Sequence[_topics.Field], low: list[float], high: list[float]) -> None:
         at = len(self.labels)
-        self.labels += [f"{topic.name}.{field.name}" + "".join(f"[{i}]" for i in index) for index in np.ndindex(part.shape)]
-        count = len(self.labels) - at
-        unsigned = field.dtype.kind == "u"
-        low += [0.0 if unsigned else field.lowest] * count
-        high += [field.highest] * count
-        self._parts.append((part, part.shape, slice(at, at + count)))
+        chosen: list[tuple[_topics.Field, _topics.Elements]] = []
+        for field in fields:
+            elements = tuple(slice(len(robot.joints)) if extent == _topics.JOINT_EXTENT else slice(None) for extent in field.shape)
+            shape = np.empty(field.shape, np.uint8)[elements].shape
+            self.labels += [f"{topic.name}.{field.name}" + "".join(f"[{i}]" for i in index) for index in np.ndindex(shape)]
+            count = len(self.labels) - len(low)
+            low += [0.0 if field.dtype.kind == "u" else field.lowest] * count
+            high += [field.highest] * count
+            chosen.append((field, elements))
+        self._parts.append((_topics.Numbers(robot.view(topic.name), chosen), slice(at, len(self.labels))))
 
     def read(self) -> Vector:
         """A new vector, of what the topics hold now."""
         vector = np.empty(len(self.labels))
-        for part, shape, place in self._parts:
-            vector[place].reshape(shape)[...] = part
+        for numbers, place in self._parts:
+            numbers.get(vector[place])
         return vector

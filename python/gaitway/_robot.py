@@ -112,16 +112,15 @@ class Robot:
             configuration="" if config is None else os.fspath(config),
             profile=profile,
             accept_unproven=accept_unproven,
-            libraries=[os.fspath(library) for library in libraries],
-            parameters=[(plugin, name, _text(value)) for plugin, values in (parameters or {}).items()
-                        for name, value in values.items()],
+            libraries=[os.fspath(library) for library in _several("libraries", libraries)],
+            parameters=_parameters({} if parameters is None else parameters),
             world=None if world is None else os.fspath(world),
             world_seed=None if world_seed is None else _seed(world_seed),
             conditions="" if conditions is None else json.dumps(conditions, allow_nan=False),
             navigation=navigation,
             localization=localization,
             mismatch=float(mismatch),
-            writes=[_topics.find(topic).name for topic in writes],
+            writes=[_topics.find(topic).name for topic in _several("writes", writes)],
         )
         self._held: dict[str, _Held] = {}
         self._run = _native.Run(self._setup, _seed(seed))
@@ -189,7 +188,10 @@ class Robot:
         return self._run.snapshot()
 
     def restore(self, snapshot: Snapshot) -> None:
-        """Makes the snapshot's instant again, to the bit, by simulating from the beginning: as long as that took."""
+        """Makes the snapshot's instant again, to the bit, by simulating from the beginning: as long as that took.
+
+        A keyboard's interrupt leaves the robot on the way there.
+        """
         self._forget()
         self._run.restore(snapshot)
 
@@ -332,6 +334,29 @@ def _seed(seed: int) -> int:
     if not 0 <= number < 2**64:
         raise ValueError(f"seed = {number}: must be 0..2^64 - 1")
     return number
+
+
+def _several(argument: str, names: Iterable[Any]) -> Iterable[Any]:
+    """What is one name, and not several, would be taken for as many as it has letters."""
+    if isinstance(names, (str, bytes, os.PathLike)) or not isinstance(names, Iterable):
+        raise TypeError(f"{argument} = {names!r}: must be a list, such as [{names!r}]")
+    return names
+
+
+def _parameters(given: Mapping[str, Mapping[str, Any]]) -> list[tuple[str, str, str]]:
+    """(plug-in, parameter, text)."""
+    form = 'must be {plug-in: {parameter: value}}, such as {"trajectory": {"lift": "0.04 m"}}'
+    if not isinstance(given, Mapping):
+        raise TypeError(f"parameters = {given!r}: {form}")
+    chosen = []
+    for plugin, values in given.items():
+        if not isinstance(plugin, str) or not isinstance(values, Mapping):
+            raise TypeError(f"parameters: {plugin!r}: {values!r}: {form}")
+        for name, value in values.items():
+            if not isinstance(name, str):
+                raise TypeError(f"parameters: {plugin}: a parameter goes by its name, a str; not by {name!r}")
+            chosen.append((plugin, name, _text(value)))
+    return chosen
 
 
 def _text(value: Any) -> str:

@@ -79,18 +79,23 @@ class VecEnv(VectorEnv[Vectors, Vectors, Vectors]):
 
     def _step(self, actions: Vectors) -> tuple[Vectors, Vectors, Vectors, Vectors, dict[str, Any]]:
         going = [i for i in range(self.num_envs) if not self._ended[i]]
-        for i in going:
-            self.envs[i].begin_step(actions[i])
+        checked = [self.envs[i].checked(actions[i]) for i in going]
+        for i, action in zip(going, checked, strict=True):
+            self.envs[i].begin_step(action)
         self._pool.advance([self.envs[i].robot._run for i in going], CYCLE_MS)
-        results: list[tuple[Vector, float, bool, bool, dict[str, Any]]] = [
-            (np.zeros(0), 0.0, False, False, {})] * self.num_envs
-        for i in going:
-            results[i] = self.envs[i].finish_step()
-        ended = [i for i in range(self.num_envs) if self._ended[i]]
-        begun = self._begin_anew([self.envs[i] for i in ended], [None] * len(ended))
-        for i, (observation, info) in zip(ended, begun, strict=True):
-            results[i] = (observation, 0.0, False, False, info)
-        return self._joined(results)
+        cycles = [self.envs[i].end_cycle() for i in going]
+        anew = [i for i in range(self.num_envs) if self._ended[i]]
+        results: list[tuple[Vector, float, dict[str, Any]]] = [(np.zeros(0), 0.0, {})] * self.num_envs
+        begun = self._begin_anew([self.envs[i] for i in anew], [None] * len(anew))
+        for i, (observation, info) in zip(anew, begun, strict=True):
+            results[i] = (observation, 0.0, info)
+        terminations, truncations = np.zeros(self.num_envs, np.bool_), np.zeros(self.num_envs, np.bool_)
+        terminations[going] = [terminated for _, terminated, _ in cycles]
+        truncations[going] = [truncated for _, _, truncated in cycles]
+        self._ended = terminations | truncations
+        for i, (transition, _, _) in zip(going, cycles, strict=True):  # last: a reward may raise, and all are as far as each other
+            results[i] = self.envs[i].told(transition)
+        return self._joined(results, terminations, truncations)
 
     def _begin_anew(self, envs: Sequence[Env], seeds: Sequence[int | None]) -> list[tuple[Vector, dict[str, Any]]]:
         if not envs:
@@ -103,14 +108,11 @@ class VecEnv(VectorEnv[Vectors, Vectors, Vectors]):
         self._pool.advance(runs, envs[0].start_cycles * CYCLE_MS)
         return [env.finish_reset() for env in envs]
 
-    def _joined(self, results: list[tuple[Vector, float, bool, bool, dict[str, Any]]]
+    def _joined(self, results: list[tuple[Vector, float, dict[str, Any]]], terminations: Vectors, truncations: Vectors
                 ) -> tuple[Vectors, Vectors, Vectors, Vectors, dict[str, Any]]:
         infos: dict[str, Any] = {}
         for i, result in enumerate(results):
-            infos = self._add_info(infos, result[4], i)
-        terminations = np.array([result[2] for result in results], dtype=np.bool_)
-        truncations = np.array([result[3] for result in results], dtype=np.bool_)
-        self._ended = terminations | truncations
+            infos = self._add_info(infos, result[2], i)
         rewards = np.array([result[1] for result in results], dtype=np.float64)
         return np.stack([result[0] for result in results]), rewards, terminations, truncations, infos
 

@@ -9,6 +9,7 @@
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
+#include <exception>
 #include <stdexcept>
 
 #include "gaitway/input/complaint.hpp"
@@ -17,6 +18,7 @@
 #include "gaitway/msgclient/topics.hpp"
 #include "gaitway/process/installation.hpp"
 #include "held_run.hpp"
+#include "outside.hpp"
 #include "plugin_process.hpp"
 
 namespace nb = nanobind;
@@ -101,23 +103,46 @@ void check_duration(std::int64_t milliseconds) {
   }
 }
 
-// Whatever changes a run is done without the interpreter's lock; views change with it, so that no code of
-// Python sees half a value.
+// Whatever changes runs is done without the interpreter's lock; views change with them, also where an
+// exception ends it, so that no code of Python sees half a value.
 template <class Work>
-void alone(HeldRun& held, const Work& work) {
-  HeldRun* const one = &held;
-  const Use use(std::span(&one, 1));
-  RobotRun& run = *use.runs().front();
+void change(std::span<HeldRun* const> held, const Work& work) {
+  const Use use(held);
+  std::exception_ptr thrown;
   {
-    const nb::gil_scoped_release free;
-    work(run);
+    Outside outside;
+    try {
+      work(use.runs(), outside);
+    } catch (...) {
+      thrown = std::current_exception();
+    }
   }
-  run.refresh_views();
+  for (RobotRun* const run : use.runs()) {
+    if (run->is_whole()) run->refresh_views();
+  }
+  if (thrown) std::rethrow_exception(thrown);
 }
+
+using Runs = std::vector<RobotRun*>;
 
 void advance(HeldRun& held, std::int64_t milliseconds) {
   check_duration(milliseconds);
-  alone(held, [milliseconds](RobotRun& run) { run.advance(milliseconds); });
+  HeldRun* const one = &held;
+  change(std::span(&one, 1), [milliseconds](const Runs& runs, const Outside& outside) {
+    runs.front()->advance(milliseconds, [&outside] { outside.require_interpreter(); });
+  });
+}
+
+void restart(HeldRun& held, std::uint64_t seed) {
+  HeldRun* const one = &held;
+  change(std::span(&one, 1), [seed](const Runs& runs, const Outside&) { runs.front()->restart(seed); });
+}
+
+void restore(HeldRun& held, const Snapshot& snapshot) {
+  HeldRun* const one = &held;
+  change(std::span(&one, 1), [&snapshot](const Runs& runs, Outside& outside) {
+    runs.front()->restore(snapshot, [&outside] { outside.answer_signals(); });
+  });
 }
 
 // Runs that an interpreter named, which live as long as this.
@@ -135,23 +160,19 @@ struct NamedRuns {
 void advance_all(RunPool& pool, const nb::sequence& runs, std::int64_t milliseconds) {
   check_duration(milliseconds);
   const NamedRuns named(runs);
-  const Use use(named.held);
-  {
-    const nb::gil_scoped_release free;
-    pool.each(use.runs().size(), [&](std::size_t i) { use.runs()[i]->advance(milliseconds); });
-  }
-  for (RobotRun* const run : use.runs()) run->refresh_views();
+  change(named.held, [&](const Runs& all, const Outside& outside) {
+    pool.each(all.size(), [&](std::size_t i) {
+      all[i]->advance(milliseconds, [&outside] { outside.require_interpreter(); });
+    });
+  });
 }
 
 void restart_all(RunPool& pool, const nb::sequence& runs, const std::vector<std::uint64_t>& seeds) {
   const NamedRuns named(runs);
   if (named.held.size() != seeds.size()) throw std::invalid_argument("as many seeds as robots are wanted");
-  const Use use(named.held);
-  {
-    const nb::gil_scoped_release free;
-    pool.each(use.runs().size(), [&](std::size_t i) { use.runs()[i]->restart(seeds[i]); });
-  }
-  for (RobotRun* const run : use.runs()) run->refresh_views();
+  change(named.held, [&](const Runs& all, const Outside&) {
+    pool.each(all.size(), [&](std::size_t i) { all[i]->restart(seeds[i]); });
+  });
 }
 
 nb::list events(HeldRun& held) {
@@ -232,6 +253,8 @@ void bind_errors(nb::module_& module) {
       std::rethrow_exception(thrown);
     } catch (const core::ConfigurationError& error) {
       PyErr_SetString(input_error, error.what());
+    } catch (const InterpreterEnds& ends) {
+      PyErr_SetString(PyExc_SystemExit, ends.what());
     }
   });
 }
@@ -261,7 +284,7 @@ void bind_setup(nb::module_& module) {
                                .writes = writes};
             for (const auto& [plugin, name, text] : parameters)
               choice.parameters.push_back({plugin, name, text});
-            const nb::gil_scoped_release free;
+            const Outside outside;
             new (self) RobotSetup(choice);
           },
           "robot"_a, "configuration"_a, "profile"_a, "accept_unproven"_a, "libraries"_a, "parameters"_a,
@@ -289,24 +312,14 @@ void bind_run(nb::module_& module) {
       .def(
           "__init__",
           [](HeldRun* self, const std::shared_ptr<RobotSetup>& setup, std::uint64_t seed) {
-            const nb::gil_scoped_release free;
+            const Outside outside;
             new (self) HeldRun(setup, seed);
           },
           "setup"_a, "seed"_a)
       .def("advance", &advance, "milliseconds"_a)
-      .def(
-          "restart",
-          [](HeldRun& self, std::uint64_t seed) {
-            alone(self, [seed](RobotRun& run) { run.restart(seed); });
-          },
-          "seed"_a)
+      .def("restart", &restart, "seed"_a)
       .def("snapshot", [](HeldRun& self) { return self.get().snapshot(); })
-      .def(
-          "restore",
-          [](HeldRun& self, const Snapshot& snapshot) {
-            alone(self, [&snapshot](RobotRun& run) { run.restore(snapshot); });
-          },
-          "snapshot"_a)
+      .def("restore", &restore, "snapshot"_a)
       .def("close", &HeldRun::close)
       .def_prop_ro("closed", &HeldRun::closed)
       .def(
@@ -377,6 +390,7 @@ void bind(nb::module_& module) {
   bind_setup(module);
   bind_run(module);
   bind_plugin_process(module);
+  nb::module_::import_("atexit").attr("register")(nb::cpp_function(&wait_for_those_outside));
 }
 
 }  // namespace gaitway::python

@@ -16,7 +16,8 @@ namespace {
 
 using facts::kMillisecond_ns;
 constexpr std::size_t kMostEvents = 10'000;
-constexpr std::int64_t kTakeEvents_ns = 80 * kMillisecond_ns;  // far fewer come than the log holds
+// How often a run pauses, and takes events, of which far fewer come meanwhile than the log holds.
+constexpr std::int64_t kPause_ns = 80 * kMillisecond_ns;
 
 msgclient::TopicDescriptor descriptor_of(std::size_t topic) {
   const StandardTopic& standard = kStandardTopics.at(topic);
@@ -80,7 +81,7 @@ void RobotRun::restart(std::uint64_t seed) {
   begin();
 }
 
-void RobotRun::advance(std::int64_t milliseconds) {
+void RobotRun::advance(std::int64_t milliseconds, const Pause& pause) {
   for (; milliseconds > 0; --milliseconds) {
     if (loads_while_it_runs_) {
       const std::scoped_lock lock(loading_lock());
@@ -88,7 +89,10 @@ void RobotRun::advance(std::int64_t milliseconds) {
     } else {
       cosimulation_->advance_millisecond();
     }
-    if (now_ns() % kTakeEvents_ns == 0) take_events();
+    if (now_ns() % kPause_ns == 0) {
+      take_events();
+      pause();
+    }
   }
   take_events();
 }
@@ -97,17 +101,17 @@ Snapshot RobotRun::snapshot() const {
   return {setup_, seed_, now_ns(), digest(), journal_};
 }
 
-void RobotRun::restore(const Snapshot& snapshot) {
+void RobotRun::restore(const Snapshot& snapshot, const Pause& pause) {
   if (snapshot.setup != setup_) {
     throw std::invalid_argument("this snapshot is of a robot that was made otherwise. Restore it there");
   }
   const std::vector<JournalEntry> journal = snapshot.journal;  // it may be of this run
   restart(snapshot.seed);
   for (const JournalEntry& entry : journal) {
-    advance((entry.at_ns - now_ns()) / kMillisecond_ns);
+    advance((entry.at_ns - now_ns()) / kMillisecond_ns, pause);
     do_again(entry);
   }
-  advance((snapshot.now_ns - now_ns()) / kMillisecond_ns);
+  advance((snapshot.now_ns - now_ns()) / kMillisecond_ns, pause);
   if (digest() != snapshot.digest) {
     throw std::runtime_error(
         fmt::format("the run came out otherwise when it was made again (digest {:016x} instead of {:016x}): "

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -52,6 +53,10 @@ struct Whereabouts {
   double tilt_rad = 0.0;  // of the trunk against the vertical
 };
 
+// Called now and then while a run goes on, between two of its milliseconds. What it throws ends the call: the
+// run is whole, and stands where it had come to.
+using Pause = std::function<void()>;
+
 // For one thread at a time.
 class RobotRun final : public simulator::CosimulationObserver {
  public:
@@ -59,13 +64,13 @@ class RobotRun final : public simulator::CosimulationObserver {
   RobotRun(std::shared_ptr<const RobotSetup> setup, std::uint64_t seed);
   ~RobotRun() override;
 
-  void advance(std::int64_t milliseconds);
+  void advance(std::int64_t milliseconds, const Pause& pause);
   // Everything from the beginning, with another seed.
   void restart(std::uint64_t seed);
   [[nodiscard]] Snapshot snapshot() const;
   // Simulates from the snapshot's seed to its time. Throws std::runtime_error where the run comes out
   // otherwise, std::invalid_argument for the snapshot of another robot.
-  void restore(const Snapshot& snapshot);
+  void restore(const Snapshot& snapshot, const Pause& pause);
 
   // A scenario's action, in the millisecond that comes next. Throws input::InputError.
   void apply(const std::string& action);

@@ -2,18 +2,21 @@
 
     make_wheel.py SOURCE_TREE FOLDER OUT_FOLDER
 
-What `pip install .` leaves out of the wheel is left out here, too.
+What `pip install .` leaves out of the wheel is left out here, too. The licences of what it bundles go where wheels have such.
 """
 
 import base64
 import fnmatch
 import hashlib
+import json
 import pathlib
 import re
 import sys
 import sysconfig
 import tomllib
 import zipfile
+
+import licences
 
 EPOCH = (1980, 1, 1, 0, 0, 0)  # the same files make the same wheel
 
@@ -22,10 +25,16 @@ def version_of(tree):
     return re.search(r"project\(gaitway VERSION ([0-9.]+)", (tree / "CMakeLists.txt").read_text())[1]
 
 
-def metadata(project, version, readme):
+def expression(project, third_party):
+    """Of the whole wheel, in SPDX's language."""
+    parts = {part for one in third_party for part in one["licence"].split(" AND ")} - {project["license"]}
+    return " AND ".join([project["license"], *sorted(parts)])
+
+
+def metadata(project, version, readme, third_party, texts):
     lines = ["Metadata-Version: 2.4", f"Name: {project['name']}", f"Version: {version}", f"Summary: {project['description']}",
-             f"License-Expression: {project['license']}", f"Requires-Python: {project['requires-python']}"]
-    lines += [f"License-File: {file}" for file in project["license-files"]]
+             f"License-Expression: {expression(project, third_party)}", f"Requires-Python: {project['requires-python']}"]
+    lines += [f"License-File: {file}" for file in [*project["license-files"], *texts]]
     lines += [f"Classifier: {entry}" for entry in project["classifiers"]]
     lines += [f"Requires-Dist: {entry}" for entry in project["dependencies"]]
     for extra, entries in project["optional-dependencies"].items():
@@ -47,11 +56,17 @@ def main(tree, folder, out):
     for old in out.glob("gaitway-*.whl"):
         old.unlink()
     wheel = out / f"gaitway-{version}-{tag()}.whl"
+    packaged = folder / "gaitway" / licences.WHEREABOUTS
+    if not (packaged / "third_party.json").exists():
+        sys.exit(f"{packaged} has no licences of what is bundled: install the component `python`, which writes them")
+    of_others = {f"third_party/{file.name}" if file.name != "NOTICE" else file.name: file.read_text() for file in sorted(packaged.iterdir())}
+    third_party = json.loads(of_others["third_party/third_party.json"])
     texts = {
-        f"{info}/METADATA": metadata(project, version, (tree / project["readme"]).read_text()),
+        f"{info}/METADATA": metadata(project, version, (tree / project["readme"]).read_text(), third_party, of_others),
         f"{info}/WHEEL": f"Wheel-Version: 1.0\nGenerator: gaitway\nRoot-Is-Purelib: false\nTag: {tag()}\n",
         f"{info}/entry_points.txt": "[console_scripts]\n" + "".join(f"{name} = {call}\n" for name, call in project["scripts"].items()),
         f"{info}/licenses/LICENSE": (tree / "LICENSE").read_text(),
+        **{f"{info}/licenses/{name}": text for name, text in of_others.items()},
     }
     record = []
     with zipfile.ZipFile(wheel, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
@@ -65,7 +80,7 @@ def main(tree, folder, out):
 
         for file in sorted(folder.rglob("*")):
             name = file.relative_to(folder).as_posix()
-            if file.is_file() and not any(fnmatch.fnmatch(name, pattern) for pattern in left_out):
+            if file.is_file() and file.parent != packaged and not any(fnmatch.fnmatch(name, pattern) for pattern in left_out):
                 add(name, file.read_bytes(), 0o755 if file.stat().st_mode & 0o100 else 0o644)
         for name, text in texts.items():
             add(name, text.encode(), 0o644)

@@ -1,6 +1,8 @@
 """Whatever is wrong is told by an exception that names it, and the interpreter lives on."""
 
 import os
+import pathlib
+import signal
 import subprocess
 import sys
 import threading
@@ -45,6 +47,7 @@ def robot():
     (lambda r: r.write("walk_request", {"walk": 0.5}), TypeError, "uint32"),
     (lambda r: r.write("walk_request", {"walk": -1}), (TypeError, ValueError), None),
     (lambda r: r.write("walk_request", {"walk": 2**40}), (TypeError, ValueError), None),
+    (lambda r: r.write("walk_request", {1: 2}), TypeError, "'walk_request': a field goes by its name, a str; not by int"),
     (lambda r: r.write("walk_request", np.zeros(3)), TypeError, "mapping"),
     (lambda r: r.write("walk_request", r.topic("imu")), TypeError, "dtype"),
     (lambda r: r.write("estimate", {}), gaitway.TopicError, "already written"),
@@ -77,6 +80,14 @@ def test_calls(robot, call, error, tells):
     ({"conditions": {"slope": 3}}, ValueError, "slope"),
     ({"parameters": {"trajectry": {"lift": 1}}}, ValueError, "trajectory"),
     ({"parameters": {"trajectory": {"no_such": 1}}}, (ValueError, gaitway.PluginError), "no_such"),
+    ({"parameters": {"trajectory": 3}}, TypeError, "'trajectory': 3: must be {plug-in: {parameter: value}}"),
+    ({"parameters": 3}, TypeError, "parameters = 3: must be {plug-in"),
+    ({"parameters": {3: {}}}, TypeError, "parameters: 3"),
+    ({"parameters": {"trajectory": {3: 1}}}, TypeError, "trajectory: a parameter goes by its name, a str; not by 3"),
+    ({"writes": "correction"}, TypeError, r"writes = 'correction': must be a list, such as \['correction'\]"),
+    ({"writes": 3}, TypeError, "writes = 3: must be a list"),
+    ({"libraries": "libsway.so"}, TypeError, "libraries = 'libsway.so': must be a list"),
+    ({"libraries": pathlib.Path("libsway.so")}, TypeError, "must be a list"),
     ({"writes": ["corection"]}, KeyError, "correction"),
     ({"libraries": ["/no/such.so"]}, (ValueError, gaitway.PluginError), "no/such"),
     ({"profile": "papr"}, ValueError, "paper"),
@@ -198,6 +209,74 @@ def test_a_pool_is_for_one_thread_at_a_time():
     assert busy_of(work, 20) > 0
     for robot in robots:
         robot.close()
+
+
+DAEMONS = """
+import os, sys, threading, gaitway
+at_work = threading.Barrier(5)
+def endless(work):
+    def again():
+        work()
+        at_work.wait()
+        while True:
+            work()
+    threading.Thread(target=again, daemon=True).start()
+robot, other = gaitway.Robot(seed=1), gaitway.Robot(seed=2)
+vec = gaitway.make_vec(2, threads=2, observation=["estimate"])
+vec.reset(seed=1)
+endless(lambda: robot.run(0.5))
+endless(lambda: other.restart(3))
+endless(lambda: gaitway.Robot(seed=4))
+endless(lambda: vec.step([[0.1, 0.0, 0.0]] * 2))
+at_work.wait()
+child = os.fork()
+if child == 0:
+    sys.exit(3)  # it has none of these threads, and waits for none
+assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 3
+"""
+
+
+def test_daemon_threads_do_not_take_an_ending_interpreter_along():
+    ended = subprocess.run([sys.executable, "-c", DAEMONS], check=False, capture_output=True, text=True, timeout=120)
+    assert (ended.returncode, ended.stdout, ended.stderr) == (0, "", "")
+
+
+AT_EXIT = """
+import atexit
+def last():
+    robot.run(0.1)
+    print(robot.time_s)
+atexit.register(last)  # called after what gaitway registers when it is loaded
+import gaitway
+robot = gaitway.Robot()
+"""
+
+
+def test_the_thread_that_ends_the_interpreter_may_still_run_robots():
+    ended = subprocess.run([sys.executable, "-c", AT_EXIT], check=True, capture_output=True, text=True, timeout=120)
+    assert ended.stdout.split() == ["0.1"] and ended.stderr == ""
+
+
+def test_restore_is_interrupted(robot):
+    robot.restart(1)
+    robot.run(4.0)
+    snapshot, digest, view = robot.snapshot(), robot.digest, robot.view("imu")
+
+    def interrupt(*_):
+        raise KeyboardInterrupt
+
+    before = signal.signal(signal.SIGALRM, interrupt)
+    try:
+        signal.setitimer(signal.ITIMER_REAL, 0.1)
+        with pytest.raises(KeyboardInterrupt):
+            robot.restore(snapshot)
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+    assert robot.time_s < 4.0, "it went on to the end"
+    assert view["stamp_ns"] <= robot.time_s * 1e9
+    robot.restore(snapshot)
+    assert robot.digest == digest
 
 
 def test_a_view_of_nothing_is_no_buffer():

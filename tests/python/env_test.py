@@ -202,6 +202,41 @@ def test_native_threads_are_sync_are_single():
     env.close()
 
 
+def test_a_reward_that_raises_leaves_all_as_far_as_each_other():
+    """Also where the step ends episodes. The rewards of that step are lost, and nothing else."""
+    raises = []
+
+    def reward(step):
+        if raises and step.robot is vec.envs[0].robot:
+            raise raises.pop()
+        return 1.0
+
+    arguments = {"observation": OBSERVATION, "episode_s": 0.16}
+    vec, sound = gaitway.make_vec(2, reward=reward, **arguments), gaitway.make_vec(2, reward=lambda _: 1.0, **arguments)
+    assert np.array_equal(vec.reset(seed=3)[0], sound.reset(seed=3)[0])
+    for step in range(5):
+        expected = sound.step(np.zeros((2, 3)))
+        if step in (1, 3):
+            raises.append(ZeroDivisionError("no reward"))
+            with pytest.raises(ZeroDivisionError):
+                vec.step(np.zeros((2, 3)))
+        else:
+            told = vec.step(np.zeros((2, 3)))
+            assert all(np.array_equal(a, b) for a, b in zip(told[:4], expected[:4], strict=True))
+    vec.close()
+    sound.close()
+
+
+def test_a_bad_action_of_one_is_not_asked_of_the_others():
+    vec = gaitway.make_vec(2, observation=OBSERVATION)
+    vec.reset(seed=1)
+    asked = vec.envs[0].robot.snapshot().entries
+    with pytest.raises(ValueError):
+        vec.step(np.array([[0.1, 0.0, 0.0], [np.nan, 0.0, 0.0]]))
+    assert vec.envs[0].robot.snapshot().entries == asked
+    vec.close()
+
+
 def test_bad_vectors():
     with pytest.raises(ValueError):
         gaitway.make_vec(0)
