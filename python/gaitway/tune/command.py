@@ -12,9 +12,9 @@ from gaitway.sweep.complaint import EXIT_FINE, InputError
 from gaitway.sweep.engine import Engine
 from gaitway.sweep.place import pool_at
 from gaitway.sweep.program import Parser, run_program
-from gaitway.sweep.store import open_store
 from gaitway.sweep.results import prepare_folder, write_whole
 from gaitway.sweep.robot_trial import found, place_of
+from gaitway.sweep.store import open_store
 
 from .numbers import NUMBERS, by_names, parameters
 from .tuning import Plan, Tuned, tune
