@@ -1,21 +1,20 @@
 """What a plug-in in Python costs, against the same law in C++, in the main controller's process and in one of its own.
 
-    PYTHONPATH=build/release/lib/python python3 bench/python/plugin_steps.py
+    PYTHONPATH=build/release/lib/python python3 bench/python/plugin_steps.py [ROUNDS]
 """
 
 import pathlib
+import resource
 import statistics
-import subprocess
 import sys
 import tempfile
-import time
 
 import gaitway
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CPP, PYTHON = "libgaitway_plugin_ankle_trim.so", ROOT / "python" / "examples" / "ankle_trim.py"
 WAYS = {"C++": (CPP, "none"), "C++, process of its own": (CPP, "process"), "Python": (PYTHON, "process")}
-ROUNDS = 5
+SHORT_S, LONG_S, STEPS_A_SECOND = 0.5, 5.5, 100
 
 
 def configuration(folder: pathlib.Path, library: object, isolation: str) -> pathlib.Path:
@@ -25,29 +24,30 @@ def configuration(folder: pathlib.Path, library: object, isolation: str) -> path
     return file
 
 
-def measure(file: pathlib.Path) -> tuple[float, float, float]:
-    """Median and 99th percentile of a step in us, and how long a robot takes to be there in s."""
-    began = time.perf_counter()
+def run(file: pathlib.Path, seconds: float) -> tuple[float, float]:
+    """Median wall time of a step in us, and the processor time of the plug-in's process in s."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
     with gaitway.Robot(config=file, seed=1) as robot:
-        there = time.perf_counter() - began
-        robot.run(4.0)
+        robot.run(seconds)
         told = robot.topic("plugin_statistics")
         index = [bytes(name).rstrip(b"\0") for name in told["name"]].index(b"ankle_trim")
-        return float(told["p50_step_ns"][index]) / 1e3, float(told["p99_step_ns"][index]) / 1e3, there
+        step_us = float(told["p50_step_ns"][index]) / 1e3
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return step_us, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
 def main() -> None:
-    found: dict[str, list[tuple[float, float, float]]] = {way: [] for way in WAYS}
     with tempfile.TemporaryDirectory() as folder:
-        for _ in range(ROUNDS):
-            for way, (library, isolation) in WAYS.items():
-                found[way].append(measure(configuration(pathlib.Path(folder), library, isolation)))
-    for way, rounds in found.items():
-        p50_us, p99_us, there_s = (statistics.median(column) for column in zip(*rounds, strict=True))
-        print(f"{way:26} step p50 {p50_us:6.1f} us, p99 {p99_us:6.1f} us; robot there after {there_s:.2f} s")
-    began = time.perf_counter()
-    subprocess.run([sys.executable, "-c", "import gaitway.plugin"], check=True)
-    print(f"{'interpreter and modules':26} {time.perf_counter() - began:.2f} s")
+        for way, (library, isolation) in WAYS.items():
+            file = configuration(pathlib.Path(folder), library, isolation)
+            rounds = []
+            for _ in range(int(sys.argv[1]) if len(sys.argv) > 1 else 5):
+                (_, start_s), (step_us, whole_s) = run(file, SHORT_S), run(file, LONG_S)
+                cost_s = (whole_s - start_s) / ((LONG_S - SHORT_S) * STEPS_A_SECOND)
+                rounds.append((step_us, cost_s * 1e6, start_s - cost_s * SHORT_S * STEPS_A_SECOND))
+            step_us, cost_us, start_s = (statistics.median(column) for column in zip(*rounds, strict=True))
+            print(f"{way:26} step {step_us:7.1f} us (median, waiting included); its process: {cost_us:5.1f} us of processor a step, "
+                  f"{start_s:.2f} s to start", flush=True)
 
 
 if __name__ == "__main__":

@@ -316,7 +316,7 @@ void bind_plugin_process(nb::module_& module) {
   nb::class_<PluginHost>(module, "PluginHost")
       .def("open_topic", &PluginHost::open_topic, "name"_a, "type_name"_a, "type_hash"_a, "size"_a,
            "float_fields"_a, "access"_a)
-      .def("parameter", &PluginHost::parameter, "name"_a, "unit"_a, "doc"_a, "fallback"_a, "lowest"_a,
+      .def("parameter", &PluginHost::parameter, "name"_a, "unit"_a, "doc"_a, "fallback"_a.none(), "lowest"_a,
            "highest"_a, "live"_a)
       .def("set_period", &PluginHost::set_period, "period"_a)
       .def("robot_directory", &PluginHost::robot_directory)

@@ -23,12 +23,15 @@ using namespace gaitway;
 namespace fs = std::filesystem;
 
 constexpr const char* kScript = "gaitway/_plugin_child.py";
-constexpr std::string_view kRefuse =
-    "--refuse";  // of that script, which has no way to the manager before it runs
+constexpr std::string_view kRefuse = "--refuse";  // of that script, while it has no way to the manager
 
+// The manager's request is taken first: one that is left in a socket when it closes is an error at the other
+// end, in front of what was sent.
 void refuse(const std::string& text) {
-  core::send_packet(process::FileDescriptor(core::kChildSocket),
-                    core::PacketWriter(core::ChildMessage::library_failed).text(text).bytes(),
+  const process::FileDescriptor socket(core::kChildSocket);
+  std::vector<std::byte> request;
+  static_cast<void>(core::receive_packet(socket, request, core::Wait::yes));
+  core::send_packet(socket, core::PacketWriter(core::ChildMessage::library_failed).text(text).bytes(),
                     core::Wait::yes);
 }
 

@@ -60,7 +60,7 @@ def test_the_command_walks(installed):
 def test_every_program_has_its_libraries(installed):
     (package,) = (installed / "venv").glob("lib/python3*/site-packages/gaitway")
     programs = [file for file in (package / "bin").iterdir()]
-    assert {"gaitway", "gaitway-measure", "gaitway-serve", "main_controller"} <= {file.name for file in programs}
+    assert {"gaitway", "gaitway-measure", "gaitway-serve", "main_controller", "gaitway_python_child"} <= {file.name for file in programs}
     for file in [*programs, *(package / "lib" / "gaitway").glob("*.so*"), *package.glob("_native*.so")]:
         listing = subprocess.run(["ldd", file], check=True, capture_output=True, text=True, env={"PATH": "/usr/bin:/bin"}).stdout
         for line in listing.splitlines():
