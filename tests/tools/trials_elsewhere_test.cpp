@@ -92,7 +92,7 @@ class TrialsElsewhereTest : public testing::Test {
     TrialStore store(file("trials.jsonl"), 1);
     TrialsElsewhere place(command, {"/robot", "/config.yaml", true, 0xABCULL},
                           [this](const std::string& news) { news_.push_back(news); });
-    const TrialRobot nobody{};
+    TrialRobot nobody;
     return measure_gait(nobody, {row_}, store,
                         {.seeds = seeds, .first_seed = 7, .jobs = 1, .progress = {}, .elsewhere = &place});
   }
