@@ -376,7 +376,7 @@ TEST_F(MeasureCommand, refuses_bad_input_before_anything_moves) {
   expect_refused("--rows straight,push_sideways", "no row 'push_sideways'");
   expect_refused("--config nowhere.yaml", "nowhere.yaml");
   expect_refused("--robot nowhere", "nowhere");
-  expect_refused("--on local --jobs 2", "--on excludes --jobs");
+  expect_refused("--on local --jobs 2", "--jobs excludes --on");
   expect_refused("--store here", "--store: is for trials that run by --on");
   expect_refused("--on local --patience nan", "--patience nan");
 }
