@@ -36,9 +36,14 @@ def test_only_what_runs_is_lost(fault: str, cluster: Cluster, local: bytes, tmp_
 def test_a_worker_that_is_cut_off_and_one_without_room(fault: str, local: bytes, tmp_path: pathlib.Path) -> None:
     if why := namespaces.missing():
         pytest.skip(why)
+    alone = 0  # where the cut finds a worker between two requests, it has nothing to go on with: once more then
     with faults.cluster_for(fault, tmp_path / "cluster") as cluster:
-        figures = faults.one_round(fault, cluster, tmp_path / fault, local, away_s=3.0)
-    assert figures.exit_code == 0, figures.words
-    assert figures.identical, figures.words
-    assert figures.rerun == 0
-    assert figures.alone > 0 or fault == "disk"
+        for number in range(1 if fault == "disk" else 4):
+            figures = faults.one_round(fault, cluster, tmp_path / f"{fault}{number}", local, away_s=3.0)
+            assert figures.exit_code == 0, figures.words
+            assert figures.identical, figures.words
+            assert figures.rerun == 0
+            alone += figures.alone
+            if alone:
+                break
+    assert alone or fault == "disk"

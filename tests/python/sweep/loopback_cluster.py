@@ -131,8 +131,8 @@ class SweepRun:
         self.log = out / "log.txt"
         with self.log.open("ab") as log:
             self.process = subprocess.Popen(
-                [*enter, sys.executable, "-m", "gaitway.sweep.command", str(file), "--on", on, "--out", str(out), "--store", str(store),
-                 *options],
+                [*enter, sys.executable, "-X", "faulthandler", "-m", "gaitway.sweep.command", str(file), "--on", on, "--out", str(out),
+                 "--store", str(store), *options],
                 env=environment(), stdout=log, stderr=log,
             )
 
@@ -153,7 +153,7 @@ class SweepRun:
         try:
             return self.process.wait(timeout_s)
         except subprocess.TimeoutExpired:
-            self.process.kill()
+            self.process.send_signal(signal.SIGABRT)  # its log then says what each thread did
             self.process.wait()
             raise AssertionError(f"the sweep does not end: {self.log.read_text()}") from None
 
