@@ -69,7 +69,10 @@ class Jitter(Contest):
                 self.miss(key, row, why)
         if why:
             return
-        summary, beside = self._loop_jitter().play(self.place.programs, JITTER_ROUND_S)
+        try:
+            summary, beside = self._loop_jitter().play(self.place.programs, JITTER_ROUND_S)
+        except SystemExit as error:  # as a script it ends with what went wrong
+            raise MeasurementError(str(error)) from error
         own = summary["wake_up_latency_us"]
         for key, row in rows.items():
             # cyclictest counts whole µs: 0 there is less than one.

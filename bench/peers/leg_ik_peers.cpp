@@ -167,6 +167,9 @@ Json described(const Task& task) {
   for (const Eigen::Isometry3d& sole : task.soles) goals.push_back(pose(sole));
   return {{"name", task.name},
           {"from_last", task.from_last},
+          {"tolerance", kTolerance},
+          {"proven", kProven},
+          {"limit_tolerance_rad", kinematics::kLimitTolerance_rad},
           {"joints", joints},
           {"sole", pose(task.robot.feet[static_cast<std::size_t>(kSide)].sole)},
           {"goals", goals}};

@@ -14,9 +14,9 @@ namespace gaitway::peers {
 
 using LegAngles = std::array<double, 6>;
 
-// All rivals stop at this distance from the goal, in m and rad; ours go further, and cannot be told
-// otherwise.
-inline constexpr double kTolerance = 1e-9;
+// All peers stop at this distance from the goal, in m and rad: KDL's and TRAC-IK's own default. Ours go on
+// to 1e-11, and cannot be told otherwise.
+inline constexpr double kTolerance = 1e-5;
 inline constexpr int kMostIterations = 500;
 
 class LegRival {

@@ -48,13 +48,18 @@ class Seqlock {
     const std::uint64_t before = sequence_.load(std::memory_order_relaxed);
     sequence_.store(before + 1, std::memory_order_relaxed);
     std::atomic_thread_fence(std::memory_order_release);
-    for (std::size_t i = 0; i < words_.size(); ++i) words_[i].store(value[i], std::memory_order_relaxed);
+    std::atomic<std::uint64_t>* const to = words_.data();
+    for (std::size_t i = 0, count = words_.size(); i < count; ++i) {
+      to[i].store(value[i], std::memory_order_relaxed);
+    }
     sequence_.store(before + 2, std::memory_order_release);
   }
   void read(std::uint64_t* value) const noexcept {
+    const std::atomic<std::uint64_t>* const from = words_.data();
+    const std::size_t count = words_.size();
     for (;;) {
       const std::uint64_t before = sequence_.load(std::memory_order_acquire);
-      for (std::size_t i = 0; i < words_.size(); ++i) value[i] = words_[i].load(std::memory_order_relaxed);
+      for (std::size_t i = 0; i < count; ++i) value[i] = from[i].load(std::memory_order_relaxed);
       std::atomic_thread_fence(std::memory_order_acquire);
       if (before % 2 == 0 && sequence_.load(std::memory_order_relaxed) == before) return;
     }

@@ -9,9 +9,6 @@ from typing import Any
 import numpy as np
 import pytracik
 
-TOLERANCE = 1e-5  # m and rad, as leg_ik_peers has it
-PROVEN = 10.0 * TOLERANCE
-LIMIT_TOLERANCE_RAD = 1e-6
 TIMEOUT_S = 0.005  # its own default
 TURNS = 2
 
@@ -66,7 +63,7 @@ class TracIkTask:
     def __init__(self, task: dict[str, Any]) -> None:
         self._task = task
         self._solve = pytracik.ik
-        self._solver = pytracik.TRAC_IK("base", "sole", urdf_of(task), TIMEOUT_S, TOLERANCE, pytracik.SolveType.Speed)
+        self._solver = pytracik.TRAC_IK("base", "sole", urdf_of(task), TIMEOUT_S, task["tolerance"], pytracik.SolveType.Speed)
         self._goals = [_matrix(goal) for goal in task["goals"]]
         self._asked = [(*(float(x) for x in goal[:3, 3]), *_quaternion(goal[:3, :3])) for goal in self._goals]
         self._home = np.array([joint["home_rad"] for joint in task["joints"]])
@@ -95,12 +92,12 @@ class TracIkTask:
         pose = np.eye(4)
         for joint, angle in zip(self._task["joints"], answer[1:], strict=True):
             lower, upper = joint["limits_rad"]
-            if not lower - LIMIT_TOLERANCE_RAD <= angle <= upper + LIMIT_TOLERANCE_RAD:
+            if not lower - self._task["limit_tolerance_rad"] <= angle <= upper + self._task["limit_tolerance_rad"]:
                 return False
             pose = pose @ _matrix(joint["origin"]) @ _turn(np.array(joint["axis"]), float(angle))
         left = np.linalg.inv(goal) @ pose @ _matrix(self._task["sole"])
         turn = np.linalg.norm(left[:3, :3] - np.eye(3)) / np.sqrt(2.0)  # of a small one
-        return bool(np.linalg.norm(left[:3, 3]) < PROVEN and turn < PROVEN)
+        return bool(np.linalg.norm(left[:3, 3]) < self._task["proven"] and turn < self._task["proven"])
 
 
 def _turn(axis: Matrix, angle_rad: float) -> Matrix:

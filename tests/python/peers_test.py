@@ -79,11 +79,12 @@ def test_rows_take_turns_and_a_failure_ends_its_own_alone(place: Place) -> None:
     log: list[str] = []
     contests = [Played(place, "a", log, [lambda: Pair(1, 2), fails(MeasurementError("it fell"))]),
                 Played(place, "b", log, [lambda: Pair(1, 2)] * 3),
-                Played(place, "c", log, [fails(NotHereError("apt-get install it"))] * 3)]
+                Played(place, "c", log, [fails(NotHereError("apt-get install it"))] * 3),
+                Played(place, "d", log, [fails(RuntimeError("a worker died"))])]
     compare.play_all(contests, 3)
-    assert log == ["a", "b", "c", "a", "b", "c", "b", "c"]
+    assert log == ["a", "b", "c", "d", "a", "b", "c", "b", "c"]
     rows = [found for contest in contests for found in contest.rows.values()]
-    assert [found.broken for found in rows] == ["it fell", "", ""]
+    assert [found.broken for found in rows] == ["it fell", "", "", "RuntimeError: a worker died"]
     assert len(rows[1].pairs) == 3
     lines = table(rows).splitlines()[2:]
     assert "| failed: it fell |" in lines[0]
