@@ -64,49 +64,45 @@ class TrialsElsewhereTest : public testing::Test {
     row_.trials = [](std::uint64_t seed, double) {
       return std::vector{walk_of(1.0, seed), walk_of(2.0, seed), walk_of(3.0, seed)};
     };
-  };
-  row_.passes = [](const TrialOutcome& outcome, const Trial&, double) { return !outcome.fell; };
-} ~TrialsElsewhereTest() override {
-  std::filesystem::remove_all(folder_);
-}
+    row_.passes = [](const TrialOutcome& outcome, const Trial&, double) { return !outcome.fell; };
+  }
+  ~TrialsElsewhereTest() override { std::filesystem::remove_all(folder_); }
 
-[[nodiscard]] std::string file(const std::string& name) const {
-  return (folder_ / name).string();
-}
+  [[nodiscard]] std::string file(const std::string& name) const { return (folder_ / name).string(); }
 
-// For each line that is asked for it says what is in the file of that number, or nothing; it ends when told
-// to.
-[[nodiscard]] std::vector<std::string> program() const {
-  return {"/bin/sh", "-c",
-          "n=0; while read -r line; do printf '%s\\n' \"$line\" >>'" + file("asked") +
-              "'; n=$((n + 1)); if [ -f '" + folder_.string() + "'/$n ]; then cat '" + folder_.string() +
-              "'/$n; fi; case $line in *closed*) exit 0;; esac; done"};
-}
-// After line `number`, the first being 1.
-void say(int number, const std::string& line) const {
-  std::ofstream(file(std::to_string(number)), std::ios::app) << line << '\n';
-}
-static std::string result(int id, bool falls, bool ran = true) {
-  return Json{{"id", id}, {"ran", ran}, {"outcomes", {Json(to_json(outcome_that(falls)))}}}.dump();
-}
-std::vector<Json> asked() const {
-  std::vector<Json> all;
-  std::ifstream in(file("asked"));
-  for (std::string line; std::getline(in, line);) all.push_back(Json::parse(line));
-  return all;
-}
-GaitMeasurement measure(int seeds, const std::vector<std::string>& command) {
-  TrialStore store(file("trials.jsonl"), 1);
-  TrialsElsewhere place(command, {"/robot", "/config.yaml", true, 0xABCULL},
-                        [this](const std::string& news) { news_.push_back(news); });
-  TrialRobot nobody;
-  return measure_gait(nobody, {row_}, store,
-                      {.seeds = seeds, .first_seed = 7, .jobs = 1, .progress = {}, .elsewhere = &place});
-}
+  // For each line that is asked for it says what is in the file of that number, or nothing; it ends when told
+  // to.
+  [[nodiscard]] std::vector<std::string> program() const {
+    return {"/bin/sh", "-c",
+            "n=0; while read -r line; do printf '%s\\n' \"$line\" >>'" + file("asked") +
+                "'; n=$((n + 1)); if [ -f '" + folder_.string() + "'/$n ]; then cat '" + folder_.string() +
+                "'/$n; fi; case $line in *closed*) exit 0;; esac; done"};
+  }
+  // After line `number`, the first being 1.
+  void say(int number, const std::string& line) const {
+    std::ofstream(file(std::to_string(number)), std::ios::app) << line << '\n';
+  }
+  static std::string result(int id, bool falls, bool ran = true) {
+    return Json{{"id", id}, {"ran", ran}, {"outcomes", {Json(to_json(outcome_that(falls)))}}}.dump();
+  }
+  std::vector<Json> asked() const {
+    std::vector<Json> all;
+    std::ifstream in(file("asked"));
+    for (std::string line; std::getline(in, line);) all.push_back(Json::parse(line));
+    return all;
+  }
+  GaitMeasurement measure(int seeds, const std::vector<std::string>& command) {
+    TrialStore store(file("trials.jsonl"), 1);
+    TrialsElsewhere place(command, {"/robot", "/config.yaml", true, 0xABCULL},
+                          [this](const std::string& news) { news_.push_back(news); });
+    TrialRobot nobody;
+    return measure_gait(nobody, {row_}, store,
+                        {.seeds = seeds, .first_seed = 7, .jobs = 1, .progress = {}, .elsewhere = &place});
+  }
 
-std::filesystem::path folder_;
-GaitRow row_;
-std::vector<std::string> news_;
+  std::filesystem::path folder_;
+  GaitRow row_;
+  std::vector<std::string> news_;
 };
 
 constexpr int kSubject = 1, kHeard = 1;  // lines before and behind those that are wanted
