@@ -21,6 +21,7 @@ namespace gaitway::tools {
 namespace {
 
 struct PluginsOptions {
+  std::vector<std::filesystem::path> files;                          // these alone
   std::vector<std::filesystem::path> plugin_path;                    // these alone; empty: the search path
   std::filesystem::path robot = process::default_robot_directory();  // what the plug-ins are told
   bool json = false;
@@ -47,6 +48,15 @@ std::vector<std::filesystem::path> libraries_in(const std::filesystem::path& fol
 }
 
 std::vector<std::filesystem::path> libraries_of(const PluginsOptions& options) {
+  for (const std::filesystem::path& file : options.files) {
+    if (!std::filesystem::is_regular_file(file)) {
+      throw std::invalid_argument(
+          fmt::format("'{}': is no file. Name a plug-in's library, or its file in Python", file.string()));
+    }
+  }
+  if (!options.files.empty()) {
+    return options.files;
+  }
   for (const std::filesystem::path& folder : options.plugin_path) {
     if (!std::filesystem::is_directory(folder)) {
       throw std::invalid_argument(
@@ -152,6 +162,8 @@ int list_plugins(const PluginsOptions& options) {
 void declare_program(const CommandLine& app) {
   const CommandLine command = add_command(app, "plugins");
   PluginsOptions& options = command.runs(list_plugins);
+  command.repeated("files", options.files,
+                   "Plug-ins to ask, FILE.so or FILE.py, instead of those that are found");
   command.repeated("--plugin-path", options.plugin_path,
                    "Folder to look in, instead of GAITWAY_PLUGIN_PATH and the shipped plug-ins; may be given "
                    "again");
@@ -161,6 +173,7 @@ void declare_program(const CommandLine& app) {
       "Examples:\n"
       "  gaitway plugins\n"
       "  gaitway plugins --plugin-path build --json\n"
+      "  gaitway plugins sway.py\n"
       "Exit code: 0 all are usable, 1 one is not, or the input was bad.");
 }
 
