@@ -34,6 +34,10 @@ Frame without_padding(Frame frame) noexcept {
   return frame;
 }
 
+bool is_virtual_kind(std::string_view kind) noexcept {
+  return kind == "vcan" || kind == "vxcan";
+}
+
 }  // namespace
 
 SocketCanPort::SocketCanPort(const std::string& interface, const SocketCanOptions& options)
@@ -43,7 +47,7 @@ SocketCanPort::SocketCanPort(const std::string& interface, const SocketCanOption
   options_.transmit_buffers = std::clamp<std::size_t>(options_.transmit_buffers, 1, FrameHeap::kCapacity);
   if (const auto link = read_link(socket_->index())) {
     bit_time_ns_ = link->bitrate_per_s > 0 ? 1'000'000'000 / std::int64_t{link->bitrate_per_s} : bit_time_ns_;
-    virtual_ = link->kind == "vcan" || link->kind == "vxcan";
+    virtual_ = is_virtual_kind(link->kind);
     counters_ = link->counters;
     enter(link->state.value_or(BusState::error_active));
   }
@@ -311,9 +315,15 @@ void SocketCanPort::look_for_interface() noexcept {
     return;
   }
   if (index != socket_->index()) {
+    const auto link = read_link(index);
+    const bool is_virtual = link && is_virtual_kind(link->kind);
+    if (virtual_ && !is_virtual) {
+      return;  // others have been told that there is no hardware on it: that wants a new program
+    }
     if (!socket_->bind_to(index)) {
       return;
     }
+    virtual_ = is_virtual;
     ++statistics_.rebound;
   }
   ++statistics_.interface_up;

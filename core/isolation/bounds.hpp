@@ -17,7 +17,9 @@ struct ChildBounds {
 // For a process's main thread, once: closes all descriptors from `first_closed` on, sets limits on memory and
 // descriptors, no core file, no new rights, a priority below that of the manager, and refuses system calls
 // that start or trace processes, signal others, make or use sockets, or lift these bounds. A refused call
-// answers EPERM and is remembered. Where the kernel has no such filter, RLIMIT_NPROC 0 stands for it.
+// answers EPERM and is remembered. The process of a plug-in in Python goes through it twice, before its
+// interpreter (closing descriptors and stepping back) and in it, and so runs one priority lower still. Where
+// the kernel has no such filter, RLIMIT_NPROC 0 stands for it.
 void enter_child_bounds(const ChildBounds& bounds, int first_closed) noexcept;
 
 // The first refused call since the last question, for people; empty: none.

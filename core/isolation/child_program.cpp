@@ -54,7 +54,10 @@ int run_child(std::span<const char* const> words, const LoadCode& load) {
                            .local_sockets = std::string_view(words[3]) == kLocalSockets};
   enter_child_bounds(bounds, kChildSocket + 1);
   try {
-    return ChildProgram(process::FileDescriptor(kChildSocket), load).run();
+    // Never destroyed: threads of the plug-in may be in it until the process ends, which waits for none of
+    // them.
+    auto* const program = new ChildProgram(process::FileDescriptor(kChildSocket), load);
+    return program->run();
   } catch (const std::exception& error) {
     std::fprintf(stderr, "gaitway_plugin_child: %s\n", error.what());
     return kExitBadInput;
@@ -225,9 +228,12 @@ gaitway_status ChildProgram::step(const ChildRequest& request, ChildReply& reply
     status = GAITWAY_FAILED;
   }
   if (status == GAITWAY_OK && request.keep_state != 0 && hands_state_on_) {
-    std::array<char, kErrorBytes> ignored{};
+    std::array<char, kErrorBytes> problem{};
     hands_state_on_ =
-        save_state(reply, {ignored.data(), kErrorBytes, 0}) == GAITWAY_OK && reply.state_version != 0;
+        save_state(reply, {problem.data(), kErrorBytes, 0}) == GAITWAY_OK && reply.state_version != 0;
+    if (problem[0] != '\0') {
+      put_report(GAITWAY_WARNING, "hands no state on any more: " + std::string(problem.data()));
+    }
   }
   return status;
 }

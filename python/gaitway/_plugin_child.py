@@ -64,6 +64,9 @@ def load(file: str) -> tuple[str, str, str, Callable[[_native.PluginHost], Insta
         found = ", ".join(sorted(kind.__name__ for kind in kinds)) or "none"
         raise SetupError(f"{file}: must hold one class that derives from gaitway.plugin.Plugin; holds {found}")
     kind = kinds.pop()
+    for what in ("name", "version"):
+        if not isinstance(getattr(kind, what), str):
+            raise SetupError(f"{file}: {kind.__name__}.{what} = {getattr(kind, what)!r}: must be a text, such as \"1.0.0\"")
     about = inspect.cleandoc(kind.__doc__ or "").partition("\n")[0]
     return kind.name or stem, kind.version, about, lambda host: Instance(kind, host)
 
@@ -99,9 +102,9 @@ def main(launcher: str, *words: str) -> NoReturn:
     sys.path[0] = folder  # this package, and no other one's
     try:
         from gaitway import _native, plugin  # noqa: F401  # all that is no plug-in's own, before the bounds
-    except ImportError as error:
+    except Exception as error:  # whatever a module of this interpreter raises
         os.execv(launcher, [launcher, "--refuse", f"{sys.executable} (Python {sys.version.split()[0]}) cannot load Gaitway's "
-                            f"package in {folder}: {error}. Name an interpreter that can in GAITWAY_PYTHON"])
+                            f"package in {folder}: {type(error).__name__}: {error}. Name an interpreter that can in GAITWAY_PYTHON"])
     del sys.path[0]
     sys.path.append(folder)
     if isinstance(sys.stdout, io.TextIOWrapper):

@@ -277,6 +277,8 @@ const gaitway_plugin& load_file(const std::filesystem::path& path, const nb::obj
     file->create = loaded[3];
   } catch (const nb::python_error& error) {
     throw core::PluginError(file->text_of(error));
+  } catch (const std::exception& error) {  // a cast that fails
+    throw core::PluginError(fmt::format("{}: {}", path.string(), error.what()));
   }
   entry = {GAITWAY_PLUGIN_HEAD, file->name.c_str(), file->version.c_str(), file->description.c_str(),
            &PluginObject::create};

@@ -136,6 +136,26 @@ def test_a_lost_process_is_replaced(tmp_path, body, tells):
     assert 0 < faults["own"].faults < 10
 
 
+def test_a_state_that_cannot_be_handed_on_is_told(tmp_path):
+    declared = """state_version = 1
+    def save_state(self): return "text"
+"""
+    events, faults = stood(configuration(tmp_path, write(tmp_path, declared=declared)), 0.3)
+    told = [event.text for event in events if event.source == "own" and "hands no state on any more" in event.text]
+    assert len(told) == 1, events
+    assert faults["own"].faults == 0
+
+
+def test_threads_of_a_plugin_may_be_there_to_the_end(tmp_path):
+    """They report while its process ends, which waits for none of them."""
+    more = """__import__("threading").Thread(target=lambda: [self.report("info", "hum") for _ in iter(int, 1)], daemon=True).start()"""
+    file = write(tmp_path, more=more)
+    for _ in range(4):
+        with gaitway.Robot(libraries=[file], seed=SEED) as robot:
+            robot.run(0.1)
+            assert not [event for event in robot.events() if "was ended by" in event.text]
+
+
 def test_who_is_lost_too_often_is_out_of_service(tmp_path):
     events, _ = stood(configuration(tmp_path, write(tmp_path, "self.steps == 2 and __import__('os')._exit(1)")), 0.6)
     assert any("was replaced 3 times within 10 s" in event.text for event in events), events
@@ -146,6 +166,7 @@ def test_who_is_lost_too_often_is_out_of_service(tmp_path):
     ("import no_such_module\n", gaitway.PluginError, r"own\.py:1 in <module>: ModuleNotFoundError: No module named 'no_such_module'"),
     ("", gaitway.PluginError, "must hold one class .* holds none"),
     ("import gaitway.plugin as gp\nclass A(gp.Plugin): pass\nclass B(gp.Plugin): pass\n", gaitway.PluginError, "holds A, B"),
+    ("import gaitway.plugin as gp\nclass Own(gp.Plugin): version = 1.0\n", gaitway.PluginError, r"own\.py: Own\.version = 1\.0: must be a text"),
     ("raise SystemExit(5)\n", gaitway.PluginError, "exited with code 5 while it constructed"),
     (("setup.reads('estimat')",), gaitway.PluginError, r"own\.py:\d+ in __init__: UnknownTopic: .*Did you mean 'estimate'"),
     (("setup.reads('estimate', [('x', 'f8')])",), gaitway.PluginError, "TypeError: topic 'estimate' is a standard one"),

@@ -182,6 +182,21 @@ TEST_F(TrialsElsewhereTest, says_why_the_other_program_gave_up_and_ends_as_it_as
   }
 }
 
+TEST_F(TrialsElsewhereTest, believes_no_answer_that_cannot_be) {
+  for (const char* const answer :
+       {R"({"id":1,"ran":true,"outcomes":[]})", R"({"id":1,"ran":true,"outcomes":[null]})",
+        R"({"id":1,"ran":true})", "words"}) {
+    std::filesystem::remove(file("2"));
+    say(2, answer);
+    try {
+      measure(1, program());
+      ADD_FAILURE() << answer;
+    } catch (const ElsewhereError& error) {
+      EXPECT_EQ(error.exit_code(), 6) << answer;
+    }
+  }
+}
+
 TEST_F(TrialsElsewhereTest, notices_the_other_programs_end) {
   const auto complaint_of = [this](const std::string& script) {
     try {

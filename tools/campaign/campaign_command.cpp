@@ -57,9 +57,7 @@ TrialRobot load_walker(const CampaignCommand& command) {
                     "Run the campaign without it",
                     command.config.string(), commander));
   }
-  const bool isolated = std::ranges::any_of(robot.plugins.plugins, [](const core::PluginEntry& plugin) {
-    return plugin.isolation != core::Isolation::none;
-  });
+  const bool isolated = std::ranges::any_of(robot.plugins.plugins, core::has_own_process);
   if (isolated) {
     throw std::invalid_argument(
         fmt::format("{}: plug-ins in processes of their own cannot be copied with a walk. Run the campaign "

@@ -141,9 +141,7 @@ nlohmann::ordered_json beginning_of(Trial trial) {
 
 // fork() copies one thread, and no other process.
 bool may_be_copied(const TrialRobot& robot) {
-  const bool isolated = std::ranges::any_of(robot.plugins.plugins, [](const core::PluginEntry& plugin) {
-    return plugin.isolation != core::Isolation::none;
-  });
+  const bool isolated = std::ranges::any_of(robot.plugins.plugins, core::has_own_process);
   return !isolated && std::distance(std::filesystem::directory_iterator("/proc/self/task"), {}) == 1;
 }
 

@@ -129,17 +129,20 @@ std::vector<TrialPlace::News> TrialsElsewhere::wait() {
     throw ElsewhereError(name_ + " has ended before all trials were played", kExitNotMeasured);
   }
   for (const std::string& line : told) {
-    try {
-      take(line, all);
-    } catch (const nlohmann::json::exception& error) {
-      throw std::runtime_error(fmt::format("{} says '{}': {}", name_, line, error.what()));
-    }
+    take(line, all);
   }
   return all;
 }
 
 void TrialsElsewhere::take(std::string_view line, std::vector<News>& all) {
-  const Json message = Json::parse(line);
+  try {
+    obey(Json::parse(line), all);
+  } catch (const nlohmann::json::exception& error) {
+    throw ElsewhereError(fmt::format("{} says '{}': {}", name_, line, error.what()), kExitNotMeasured);
+  }
+}
+
+void TrialsElsewhere::obey(const Json& message, std::vector<News>& all) {
   if (message.contains("id")) {
     take_result(message, all);
   } else if (message.contains("workers")) {
@@ -164,7 +167,12 @@ void TrialsElsewhere::take_result(const Json& result, std::vector<News>& all) {
   series->done = true;
   News news{.ticket = ticket, .played = {}, .ran = result.at("ran").get<bool>()};
   std::size_t trial = series->trials.first;
+  const std::size_t end = trial + series->trials.count;
+  bool decided = false;
   for (const Json& one : result.at("outcomes")) {
+    if (trial == end) {
+      break;
+    }
     TrialOutcome outcome = outcome_from_json(one);
     const bool last = run.seed->end_with(run.seed->trials.at(trial), outcome);
     if (std::ranges::binary_search(run.wanted, trial)) {
@@ -172,9 +180,15 @@ void TrialsElsewhere::take_result(const Json& result, std::vector<News>& all) {
     }
     ++trial;
     if (last) {
+      decided = true;
       withdraw_behind(run, trial);
       break;
     }
+  }
+  if (!decided && trial != end) {
+    throw ElsewhereError(fmt::format("{} gave {} outcomes of {} trials", name_, result.at("outcomes").size(),
+                                     series->trials.count),
+                         kExitNotMeasured);
   }
   news.done = std::ranges::all_of(run.series, &Series::done);
   if (news.done) {

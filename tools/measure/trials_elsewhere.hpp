@@ -63,8 +63,7 @@ class TrialsElsewhere final : public TrialPlace {
   [[nodiscard]] bool has_room() const override { return true; }
   Ticket start(const SeedTrials& seed, std::vector<std::size_t> wanted) override;
   void give_up(Ticket ticket) override;
-  // Throws ElsewhereError when the other program gives up or ends, std::runtime_error for what it should not
-  // say.
+  // Throws ElsewhereError when the other program gives up, ends, or says what it should not.
   std::vector<News> wait() override;
   [[nodiscard]] int workers() const override { return workers_; }
 
@@ -86,6 +85,7 @@ class TrialsElsewhere final : public TrialPlace {
   void send(const nlohmann::ordered_json& message) const;
   [[nodiscard]] std::vector<std::string> lines();  // at least one; none: it has ended
   void take(std::string_view line, std::vector<News>& all);
+  void obey(const nlohmann::ordered_json& message, std::vector<News>& all);
   void take_result(const nlohmann::ordered_json& result, std::vector<News>& all);
   void withdraw_behind(SeedRun& run, std::size_t trial);
   void check_end();

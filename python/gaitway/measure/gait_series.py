@@ -112,6 +112,8 @@ class Player:
             where = f"row {series['row']}, level {series['level']}, seed {series['seed']}"
             raise UnfitWorkerError(f"cannot play the trials of {where}: {reply['error']}")
         outcomes: list[Json] = reply["outcomes"]
+        if not 0 < len(outcomes) <= series["count"]:
+            raise UnfitWorkerError(f"gave {len(outcomes)} outcomes of {series['count']} trials")
         return outcomes
 
     def end(self) -> None:

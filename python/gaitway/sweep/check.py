@@ -45,7 +45,7 @@ def others(sweep: Sweep) -> Iterator[tuple[Source, Trial]]:
     axes, point = sweep.axes_of_first(), sweep.parameters_of_first()
     for name, places in sweep.places.items():
         if name in axes:
-            values = list(zip(places, sweep.axes[name], strict=True))[1:]
+            values = list(zip(places, sweep.axes[name], strict=True))[1:MOST_OF_A_LIST]
             yield from ((source, sweep.trial_of(0, {**axes, name: value}, point)) for source, value in values)
         else:
             taken = sweep.design.parameters[name]

@@ -133,9 +133,9 @@ def content_of(what: str, name: str) -> str:
     """Of a robot's folder, a configuration or a world. UnfitWorkerError where this computer has none."""
     place = place_of(what, name)
     files = sorted(file for file in place.rglob("*") if file.is_file()) if place.is_dir() else [place]
-    if what == "config" and place.is_file():
-        files += _plugins_named_in(place)
     try:
+        if what == "config" and place.is_file():
+            files += _plugins_named_in(place)
         stamps = tuple((str(file), file.stat().st_size, file.stat().st_mtime_ns) for file in files)
         return _content(str(place), stamps)
     except OSError as error:
@@ -144,7 +144,7 @@ def content_of(what: str, name: str) -> str:
 
 def _plugins_named_in(config: Path) -> list[Path]:
     """By their paths. Of a plug-in in Python all Python files of its folder, since it may import them."""
-    named = {config.parent / name for name in LIBRARY_PATH.findall(config.read_text())}
+    named = {config.parent / name for name in LIBRARY_PATH.findall(config.read_text(encoding="utf-8", errors="replace"))}
     return sorted({file for library in named for file in (library.parent.glob("*.py") if library.suffix == ".py" else [library])})
 
 
