@@ -140,7 +140,7 @@ def test_a_state_that_cannot_be_handed_on_is_told(tmp_path):
     declared = """state_version = 1
     def save_state(self): return "text"
 """
-    events, faults = stood(configuration(tmp_path, write(tmp_path, declared=declared)), 0.3)
+    events, faults = stood(configuration(tmp_path, write(tmp_path, declared=declared)), 0.6)
     told = [event.text for event in events if event.source == "own" and "hands no state on any more" in event.text]
     assert len(told) == 1, events
     assert faults["own"].faults == 0
