@@ -37,7 +37,7 @@ from gaitway.sweep.sweep_file import read_sweep
 TICKS_PER_S = os.sysconf("SC_CLK_TCK")
 PAGE_MB = os.sysconf("SC_PAGE_SIZE") / 1e6
 KINDS = {  # trials of a round, sweep file
-    "robot": (16, "seeds: {first}..{last}\nseconds: 2\n"),
+    "robot": (48, "seeds: {first}..{last}\nseconds: 2\n"),
     "rehearsal": (1000, "trial: rehearsal\nseeds: {first}..{last}\nparameters: {{rounds: [1]}}\n"),
 }
 
