@@ -53,7 +53,8 @@ class WakeUp(Contest):
         for key, what in (("added_delay_paced", "isolated plug-in, a step every ms: wake-up round trip"),
                           ("added_delay_back_to_back", "isolated plug-in, step after step: wake-up round trip")):
             found = counters(program, key)
-            self.add(key, Row(what, "bare futex", "µs"), Pair(found["added_p50_us"], found["futex_p50_us"], "medians"))
+            self.add(f"{key} futex", Row(what, "bare futex", "µs"), Pair(found["added_p50_us"], found["futex_p50_us"], "medians"))
+            self.add(f"{key} spin", Row(what, "futex that spins first, as ours does", "µs"), Pair(found["added_p50_us"], found["spin_p50_us"], "medians"))
 
 
 class Jitter(Contest):
