@@ -156,8 +156,7 @@ TEST_F(AuthorCommands, PluginsNamesThoseThatAreNotUsable) {
   EXPECT_THAT(complaint_, HasSubstr("other_abi.so"));
   EXPECT_THAT(said_, HasSubstr("plain_c"));
   expect_refused("plugins --plugin-path nowhere", "--plugin-path nowhere");
-  EXPECT_EQ(gaitway(std::string("plugins ") + GAITWAY_TEST_PLUGINS + "/other_abi.so"),
-            1);
+  EXPECT_EQ(gaitway(std::string("plugins ") + GAITWAY_TEST_PLUGINS + "/other_abi.so"), 1);
   EXPECT_THAT(complaint_, HasSubstr("other_abi.so"));
   EXPECT_EQ(said_, "") << "nothing else is asked";
   expect_refused("plugins nowhere.so", "'nowhere.so': is no file");
