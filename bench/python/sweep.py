@@ -16,6 +16,7 @@ import json
 import multiprocessing
 import os
 import pathlib
+import signal
 import statistics
 import sys
 import tempfile
@@ -49,6 +50,20 @@ class Place:
     engine: Engine
     workers: int
     processes: Callable[[], list[int]]
+    cluster: list[int]  # those that take time also while there is nothing to do
+
+    @contextlib.contextmanager
+    def awake(self) -> Iterator[None]:
+        """Outside of this a cluster is stopped, so that it takes nothing from the other place."""
+        self.signal(signal.SIGCONT)
+        try:
+            yield
+        finally:
+            self.signal(signal.SIGSTOP)
+
+    def signal(self, number: signal.Signals) -> None:
+        for process in self.cluster:
+            os.kill(process, number)
 
 
 @dataclass(frozen=True)
@@ -86,10 +101,11 @@ def places(kind: str, on: str, folder: pathlib.Path) -> Iterator[dict[int, Place
                 processes = [process.pid for process in cluster.processes]
                 here = lambda processes=processes: [os.getpid(), *processes]  # noqa: E731
             else:
-                pool = LocalPool(workers)
+                pool, processes = LocalPool(workers), []
                 here = lambda: [os.getpid(), *(child.pid for child in multiprocessing.active_children() if child.pid)]  # noqa: E731
             stack.enter_context(pool)
-            made[workers] = Place(Engine(kind, pool, Store(folder / f"store_{kind}_{on}_{workers}")), workers, here)
+            made[workers] = Place(Engine(kind, pool, Store(folder / f"store_{kind}_{on}_{workers}")), workers, here, processes)
+            stack.callback(made[workers].signal, signal.SIGCONT)  # before its client says good-bye
         yield made
 
 
@@ -98,11 +114,12 @@ def run(place: Place, kind: str, number: int, folder: pathlib.Path, trials: int)
     file = folder / "sweep.yaml"
     file.write_text(KINDS[kind][1].format(first=number * 1_000_000 + 1, last=number * 1_000_000 + trials))
     sweep = read_sweep(file)
-    before, trial_s = processor_s(place.processes()), place.engine.tally.trial_s
-    began = time.perf_counter()
-    place.engine.run(sweep.trials(), lambda trial, text: None)
-    seconds = time.perf_counter() - began
-    return Round(trials, seconds, place.engine.tally.trial_s - trial_s, processor_s(place.processes()) - before)
+    with place.awake():
+        before, trial_s = processor_s(place.processes()), place.engine.tally.trial_s
+        began = time.perf_counter()
+        place.engine.run(sweep.trials(), lambda trial, text: None)
+        seconds = time.perf_counter() - began
+        return Round(trials, seconds, place.engine.tally.trial_s - trial_s, processor_s(place.processes()) - before)
 
 
 def compare(kind: str, on: str, rounds: int, folder: pathlib.Path) -> tuple[float, float]:
