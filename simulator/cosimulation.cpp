@@ -52,6 +52,7 @@ Cosimulation::Cosimulation(const urdf::RobotModel& robot, const CosimulationOpti
         std::make_unique<StereoCamera>(camera_client_, robot_, *camera, options_.camera, options_.plant);
   }
   options_.main_controller.injected_faults = &plugin_faults_;
+  options_.main_controller.simulated = true;
   start_main_controller();
 }
 

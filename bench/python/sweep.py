@@ -178,6 +178,7 @@ def main() -> int:
     parser.add_argument("--trials", type=int, metavar="N")
     parser.add_argument("--check", action="store_true")
     options = parser.parse_args()
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # not without ending its clusters
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         if options.trials:

@@ -36,7 +36,7 @@ struct PluginManagerOptions {
   // hangs there is refused by name. Changes at run time always go that way.
   bool try_at_start = false;
   // No robot of metal: plug-ins in Python are loaded.
-  bool simulated = true;
+  bool simulated = false;
   // Of the configuration's plug-ins: not loaded; fallbacks write their topics.
   std::vector<std::string> stopped = {};
   // Where the memory block's server takes clients: for plug-ins that are clients of their own. Empty:
