@@ -133,6 +133,8 @@ _NAMED: Mapping[str, Any] = {
 def named(action: str | Action) -> Action:
     """Raises UnknownTopic for a name that there is not."""
     if not isinstance(action, str):
+        if missing := [name for name in ("writes", "bounds", "begin", "write") if not hasattr(action, name)]:
+            raise TypeError(f"action = {action!r}: must be {', '.join(_NAMED)}, or an Action; it has no '{missing[0]}'")
         return action
     if action not in _NAMED:
         raise UnknownTopic(f"there is no action '{action}'. {suggest(action, _NAMED)} Or give a TopicAction")

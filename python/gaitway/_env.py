@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Any
 
@@ -49,6 +50,8 @@ class Env(gymnasium.Env[Vector, Vector]):
         writes = [*robot.pop("writes", ()), *self._action.writes]
         if "seed" in robot:
             raise TypeError("an environment takes its seed by reset(seed=…)")
+        if robot.pop("render_mode", None) is not None:
+            raise TypeError("an environment draws no pictures: leave render_mode out. `gaitway simulate` shows a robot that walks")
         if not callable(reward):
             raise TypeError(f"reward = {reward!r}: must be a callable that takes a Transition")
         self.robot = Robot(writes=writes, **robot)
@@ -134,7 +137,13 @@ class Env(gymnasium.Env[Vector, Vector]):
 
     def told(self, transition: Transition) -> tuple[Vector, float, dict[str, Any]]:
         """Observation, reward and info."""
-        reward = float(self._reward(transition))
+        given = self._reward(transition)
+        try:
+            reward = float(given)
+        except (TypeError, ValueError):
+            raise TypeError(f"the reward is {given!r}: must be a number") from None
+        if not math.isfinite(reward):
+            raise ValueError(f"the reward is {reward}: must be finite")
         return self._observation.read(), reward, {"time_s": self.robot.time_s}
 
 

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple, NoReturn, TypeAlias
 import numpy as np
 
 from gaitway import _native, _topics
-from gaitway._errors import NothingPublished
+from gaitway._errors import NothingPublished, TopicError
 from gaitway._native import Snapshot as Snapshot
 
 StructuredArray: TypeAlias = "np.ndarray[Any, np.dtype[Any]]"
@@ -108,15 +108,15 @@ class Robot:
         localization: bool = True,
     ) -> None:
         self._setup = _native.Setup(
-            robot="" if robot is None else os.fspath(robot),
-            configuration="" if config is None else os.fspath(config),
+            robot="" if robot is None else _path("robot", robot),
+            configuration="" if config is None else _path("config", config),
             profile=profile,
             accept_unproven=accept_unproven,
-            libraries=[os.fspath(library) for library in _several("libraries", libraries)],
+            libraries=[_path("libraries", library) for library in _several("libraries", libraries)],
             parameters=_parameters({} if parameters is None else parameters),
-            world=None if world is None else os.fspath(world),
+            world=None if world is None else _path("world", world),
             world_seed=None if world_seed is None else _seed(world_seed),
-            conditions="" if conditions is None else json.dumps(conditions, allow_nan=False),
+            conditions="" if conditions is None else _json("conditions", conditions),
             navigation=navigation,
             localization=localization,
             mismatch=float(mismatch),
@@ -170,7 +170,8 @@ class Robot:
         return self._run.now_ns * 1e-9
 
     def run(self, seconds: float) -> None:
-        """Lets it go on for this long of its own time, in whole milliseconds."""
+        """Lets it go on for this long of its own time, rounded to whole milliseconds: each call by itself."""
+        _number("seconds", seconds)
         if not math.isfinite(seconds) or seconds < 0:
             raise ValueError(f"seconds = {seconds}: must be a finite number that is not negative")
         milliseconds = round(seconds * 1e3)
@@ -192,6 +193,8 @@ class Robot:
 
         A keyboard's interrupt leaves the robot on the way there.
         """
+        if not isinstance(snapshot, Snapshot):
+            raise TypeError(f"snapshot = {snapshot!r}: must be what snapshot() returned")
         self._forget()
         self._run.restore(snapshot)
 
@@ -207,7 +210,7 @@ class Robot:
 
     def walk(self, vx: float = 0.0, vy: float = 0.0, wz: float = 0.0) -> None:
         """Walks on: ahead and to the left in m/s, turning in rad/s; all 0: on the spot."""
-        command = [float(vx), float(vy), float(wz)]
+        command = [_number(name, value) for name, value in (("vx", vx), ("vy", vy), ("wz", wz))]
         if not all(map(math.isfinite, command)):
             raise ValueError(f"walk = {command}: must be three finite numbers, m/s ahead and to the left, rad/s")
         self.apply({"walk": command})
@@ -218,7 +221,7 @@ class Robot:
 
     def push(self, link: str, impulse: Iterable[float], duration_s: float = PUSH_S) -> None:
         """A constant force at the link's centre of mass that gives the impulse (x, y, z of the world, N·s)."""
-        vector = [float(part) for part in impulse]
+        vector = [_number("impulse", part) for part in impulse]
         if len(vector) != 3 or not all(map(math.isfinite, vector)):
             raise ValueError(f"impulse = {vector}: must be three finite numbers, N*s along x, y and z of the world")
         strength = math.hypot(*vector)
@@ -231,12 +234,19 @@ class Robot:
         """Any action of a scenario, as YAML or as a mapping: {"motion": "wave"}, {"fault": {"kind": "jam", …}}."""
         if not isinstance(action, (str, Mapping)):
             raise TypeError(f"an action is a text or a mapping, not {type(action).__name__}")
-        self._run.apply(action if isinstance(action, str) else json.dumps(action, allow_nan=False))
+        self._run.apply(action if isinstance(action, str) else _json("action", action))
 
     def write(self, topic: str, value: Mapping[str, Any] | StructuredArray) -> None:
         """Publishes a value: of a topic of requests, or of those named in `writes`. What is missing is 0, but for the stamp."""
         described = _topics.find(topic)
-        self._run.write(described.index, _topics.value_of(described, value, self._run.now_ns))
+        whole = _topics.value_of(described, value, self._run.now_ns)
+        try:
+            self._run.write(described.index, whole)
+        except TopicError as error:
+            if self.writer_of(topic) is None:
+                raise
+            raise TopicError(f"topic '{topic}' is already written by the plug-in {described.writer}. Robot(writes=['{topic}']) takes "
+                             "that plug-in out, and leaves the topic to you") from error
 
     # What can be read.
 
@@ -330,10 +340,39 @@ class Robot:
 
 
 def _seed(seed: int) -> int:
-    number = operator.index(seed)
+    try:
+        number = operator.index(seed)
+    except TypeError:
+        raise TypeError(f"seed = {seed!r}: must be a whole number") from None
     if not 0 <= number < 2**64:
         raise ValueError(f"seed = {number}: must be 0..2^64 - 1")
     return number
+
+
+def _path(argument: str, given: Any) -> str:
+    try:
+        return os.fsdecode(given)
+    except TypeError:
+        raise TypeError(f"{argument} = {given!r}: must be a path or a name") from None
+
+
+def _number(argument: str, given: Any) -> float:
+    if isinstance(given, (str, bytes, complex)):
+        raise TypeError(f"{argument} = {given!r}: must be a number")
+    try:
+        return float(given)
+    except TypeError:
+        raise TypeError(f"{argument} = {given!r}: must be a number") from None
+
+
+def _json(argument: str, given: Any) -> str:
+    """JSON has neither NaN nor infinity, and so has no file that Gaitway reads."""
+    try:
+        return json.dumps(given, allow_nan=False)
+    except ValueError:
+        raise ValueError(f"{argument} = {given!r}: numbers must be finite") from None
+    except TypeError as error:
+        raise TypeError(f"{argument} = {given!r}: {error}. Take texts, numbers, flags, lists and mappings") from None
 
 
 def _several(argument: str, names: Iterable[Any]) -> Iterable[Any]:

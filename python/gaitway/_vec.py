@@ -123,6 +123,8 @@ class VecEnv(VectorEnv[Vectors, Vectors, Vectors]):
 
 def make_vec(num_envs: int, *, threads: int | None = None, **env: Any) -> VecEnv:
     """`num_envs` environments made alike, on as many native threads as there are processors; `env`: what gaitway.Env takes."""
+    if not isinstance(num_envs, (int, np.integer)):
+        raise TypeError(f"num_envs = {num_envs!r}: must be a whole number")
     if num_envs < 1:
         raise ValueError(f"num_envs = {num_envs}: must be at least 1")
     return VecEnv([Env(**env) for _ in range(num_envs)], threads)

@@ -152,7 +152,8 @@ def shared_env():
     ({"action": "wlak"}, KeyError, "walk"), ({"observation": ["estimat"]}, KeyError, "estimate"),
     ({"observation": ["estimate.comm"]}, KeyError, "com"), ({"observation": []}, ValueError, "list"),
     ({"observation": "estimate"}, ValueError, "list"), ({"reward": 3}, TypeError, "callable"), ({"episode_s": 0.0}, ValueError, "episode_s"),
-    ({"episode_s": float("nan")}, ValueError, "episode_s"), ({"seed": 1}, TypeError, "reset"), ({"robot": "humanoid2"}, ValueError, "humanoid22")])
+    ({"episode_s": float("nan")}, ValueError, "episode_s"), ({"seed": 1}, TypeError, "reset"),
+    ({"action": 3}, TypeError, "action = 3: must be walk, .*it has no 'writes'"), ({"render_mode": "human"}, TypeError, "draws no pictures"), ({"robot": "humanoid2"}, ValueError, "humanoid22")])
 def test_environments_that_cannot_be(arguments, error, tells):
     with pytest.raises(error, match=tells):
         gaitway.Env(**arguments)
@@ -237,7 +238,20 @@ def test_a_bad_action_of_one_is_not_asked_of_the_others():
     vec.close()
 
 
+@pytest.mark.parametrize(("reward", "error", "tells"), [
+    ("x", TypeError, "the reward is 'x': must be a number"), (None, TypeError, "the reward is None"),
+    (float("nan"), ValueError, "the reward is nan: must be finite")])
+def test_rewards_that_are_none(reward, error, tells):
+    env = make(reward=lambda _: reward)
+    env.reset(seed=1)
+    with pytest.raises(error, match=tells):
+        env.step(np.zeros(3))
+    env.close()
+
+
 def test_bad_vectors():
+    with pytest.raises(TypeError, match="num_envs = 'a': must be a whole number"):
+        gaitway.make_vec("a")
     with pytest.raises(ValueError):
         gaitway.make_vec(0)
     with pytest.raises(ValueError):

@@ -5,6 +5,10 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
 
 #include "tools/run/run_metrics.hpp"
 
@@ -97,6 +101,42 @@ nlohmann::ordered_json world_json(const std::optional<world::World>& world) {
   nlohmann::ordered_json json = {{"name", world->name}, {"file", world->file.string()}};
   if (world->random_seed) json["random_seed"] = *world->random_seed;
   return json;
+}
+
+// What is told again and again has one line, at its first time. Of many lines the first and the last ones:
+// how it began, and what came of it.
+template <class Row>
+void add_event_rows(const nlohmann::ordered_json& events, const Row& row) {
+  struct Told {
+    std::string text;
+    double first_s = 0.0, last_s = 0.0;
+    int times = 0;
+  };
+  std::vector<Told> lines;
+  std::unordered_map<std::string, std::size_t> line_of;
+  for (const auto& event : events["newest"]) {
+    std::string text = fmt::format("{} {}: {}", event["source"].get<std::string>(),
+                                   event["kind"].get<std::string>(), event["text"].get<std::string>());
+    const double time_s = event["time_s"].get<double>();
+    const auto [found, is_new] = line_of.try_emplace(text, lines.size());
+    if (is_new) lines.push_back({.text = std::move(text), .first_s = time_s});
+    Told& line = lines[found->second];
+    line.last_s = time_s;
+    ++line.times;
+  }
+  constexpr std::size_t kFirst = 6, kLast = 6;
+  const bool is_cut = lines.size() > kFirst + kLast + 1;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (is_cut && i == kFirst) {
+      row("", fmt::format("... {} more, all in events.jsonl", lines.size() - kFirst - kLast));
+      i = lines.size() - kLast;
+    }
+    const Told& line = lines[i];
+    row(i == 0 ? fmt::format("events ({})", events["total"].get<std::uint64_t>()) : "",
+        fmt::format(
+            "{:.3f} s {}{}", line.first_s, line.text,
+            line.times > 1 ? fmt::format(" ({} times, last at {:.3f} s)", line.times, line.last_s) : ""));
+  }
 }
 
 // A line for each, the first few of them.
@@ -245,14 +285,7 @@ std::string summary_table(const nlohmann::ordered_json& s) {
       fmt::format("{:.1f} x real time{}", number(s["real_time_factor"]),
                   physics.is_null() ? "" : fmt::format(" (physics alone: {:.1f} x)", number(physics))));
   row("digest", s["digest"].get<std::string>());
-  constexpr std::size_t kShownEvents = 12;
-  const auto& events = s["events"];
-  for (std::size_t i = 0; i < std::min(kShownEvents, events["newest"].size()); ++i) {
-    const auto& event = events["newest"][i];
-    row(i == 0 ? fmt::format("events ({})", events["total"].get<std::uint64_t>()) : "",
-        fmt::format("{:.3f} s {} {}: {}", number(event["time_s"]), event["source"].get<std::string>(),
-                    event["kind"].get<std::string>(), event["text"].get<std::string>()));
-  }
+  add_event_rows(s["events"], row);
   return text;
 }
 

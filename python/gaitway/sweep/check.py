@@ -47,7 +47,7 @@ def others(sweep: Sweep) -> Iterator[tuple[Source, Trial]]:
         if name in axes:
             values = list(zip(places, sweep.axes[name], strict=True))[1:MOST_OF_A_LIST]
             yield from ((source, sweep.trial_of(0, {**axes, name: value}, point)) for source, value in values)
-        else:
+        elif name in sweep.design.parameters:
             taken = sweep.design.parameters[name]
             ends = [taken.at(0.0), taken.at(1.0)] if isinstance(taken, Range) else list(taken.values[:MOST_OF_A_LIST])
             yield from ((source, sweep.trial_of(0, axes, {**point, name: value})) for source, value in zip(places, ends, strict=False))
@@ -60,6 +60,8 @@ def culprit(sweep: Sweep, first: Trial) -> Source:
         rest = {other: value for other, value in point.items() if other != name}
         if sweep.is_optional(name) and not complaint(sweep.kind, sweep.trial_of(0, axes, rest).description):
             return sweep.places[name][0]
+    if "conditions" in sweep.places and not complaint(sweep.kind, {**first.description, "conditions": None}):
+        return sweep.places["conditions"][0]
     without_events = {**first.description, "events": []}
     if "scenario" in sweep.places and not complaint(sweep.kind, without_events):
         return sweep.places["scenario"][0]

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 import random
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal
 
 Point = tuple[Any, ...]  # a value for each parameter, in their order
+WITH_UNIT = re.compile(r"\s*([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)\s+(\S+)\s*")  # 0.03 s
 
 
 @dataclass(frozen=True)
@@ -17,6 +19,13 @@ class Values:
     """Some values, one after the other."""
 
     values: tuple[Any, ...]
+
+    @cached_property
+    def unit(self) -> str:
+        """The one of all of them; empty: they have none, or several."""
+        read = [WITH_UNIT.fullmatch(value) if isinstance(value, str) else None for value in self.values]
+        units = {one[2] if one else "" for one in read}
+        return units.pop() if len(units) == 1 else ""
 
     @property
     def count(self) -> int:
@@ -89,6 +98,16 @@ class Design:
             one.at((order[number] + draw.random()) / self.drawn)
             for one, order in zip(self.parameters.values(), self._slices, strict=True)
         )
+
+    def heading(self, parameter: str) -> str:
+        """Of its column: with the unit that all its values have."""
+        unit = self.parameters[parameter].unit
+        return f"{parameter} [{unit}]" if unit else parameter
+
+    def number(self, parameter: str, value: Any) -> Any:
+        """What stands below that heading."""
+        read = WITH_UNIT.fullmatch(value) if self.parameters[parameter].unit else None
+        return float(read[1]) if read else value
 
     def points(self) -> Iterator[Point]:
         return map(self.point, range(self.count))

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
+from itertools import chain
 
 from .canonical import Json
 from .complaint import ResultsError, TrialError
@@ -77,7 +78,10 @@ class Engine:
         """
         fresh = self._not_stored(trials, sink)
         try:
-            more = True
+            first = self._first_of(fresh, look)
+            if first is None and not self.second_runs.wanted:
+                return  # without a worker
+            fresh, more = chain([first], fresh), True
             while True:
                 self._look_for_workers()
                 more = self._hand_out(fresh, more)
@@ -111,6 +115,15 @@ class Engine:
             sink(trial, text)
             if number % MOST_STORED_AT_ONCE == 0:
                 yield None
+
+    @staticmethod
+    def _first_of(fresh: Iterator[Trial | None], look: Callable[[], None]) -> Trial | None:
+        """None: there is none."""
+        for trial in fresh:
+            if trial is not None:
+                return trial
+            look()
+        return None
 
     def _look_for_workers(self) -> None:
         new, gone = self.crew.look(self._pool.members())

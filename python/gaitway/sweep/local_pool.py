@@ -8,6 +8,7 @@ import time
 import traceback
 from collections.abc import Mapping
 from dataclasses import dataclass
+from multiprocessing import resource_tracker
 from multiprocessing.connection import Connection, wait
 from multiprocessing.context import SpawnProcess
 from types import TracebackType
@@ -23,6 +24,7 @@ LIFE_S = 2.0  # a worker that dies sooner is replaced only after that: no storm 
 def _serve(requests: Connection) -> None:
     """Of a worker's process; ends when the client has gone."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the client's
+    signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
     while True:
         try:
             request: Json = requests.recv()
@@ -100,9 +102,14 @@ class LocalPool:
         self._started += 1
         here, there = self._context.Pipe()
         process = self._context.Process(target=_serve, args=(there,), daemon=True)
-        process.start()
+        resource_tracker.ensure_running()  # by itself it would come with the first process, and unblock what is blocked here
+        before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})  # in the process, until it ignores it
+        try:
+            process.start()
+        finally:
+            signal.pthread_sigmask(signal.SIG_SETMASK, before)
         there.close()
-        self._workers[f"local-{self._started} (process {process.pid})"] = _Worker(process, here, time.monotonic())
+        self._workers[f"local-{self._started}"] = _Worker(process, here, time.monotonic())
 
     def _receive(self, name: str) -> Report | None:
         worker = self._workers[name]

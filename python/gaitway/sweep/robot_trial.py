@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import math
 import os
 import re
@@ -129,6 +130,15 @@ def found(what: str, name: str, beside: Path) -> str | None:
     return str(path) if there else None
 
 
+def nearest(what: str, name: str) -> str:
+    """A sentence that names the shipped one that is meant, or all."""
+    folder, file = SHIPPED[what]
+    shipped = [place.name if what == "robot" else place.stem for place in sorted(_shipped_folder(folder).iterdir())
+               if (place / file).exists() or (what != "robot" and place.suffix == file)]
+    near = difflib.get_close_matches(name, shipped, 1)
+    return f"Did you mean '{near[0]}'?" if near else f"Shipped are: {', '.join(shipped)}"
+
+
 def content_of(what: str, name: str) -> str:
     """Of a robot's folder, a configuration or a world. UnfitWorkerError where this computer has none."""
     place = place_of(what, name)
@@ -162,13 +172,17 @@ def _content(place: str, stamps: tuple[tuple[str, int, int], ...]) -> str:
 
 
 def _shipped_place(what: str, name: str) -> Path:
-    from gaitway import _native
-
     folder, file = SHIPPED[what]
-    root = Path(_native.installation_root()) / "share" / "gaitway" / folder
+    root = _shipped_folder(folder)
     if what == "robot":
         return root / name / file
     return root / (name if name.endswith(file) else name + file)
+
+
+def _shipped_folder(name: str) -> Path:
+    from gaitway import _native
+
+    return Path(_native.installation_root()) / "share" / "gaitway" / name
 
 
 def _own_files() -> dict[str, Path]:

@@ -42,6 +42,11 @@ class SecondRuns:
         else:
             self._dropped += 1
 
+    @property
+    def wanted(self) -> bool:
+        """Whether any waits for a second worker."""
+        return bool(self._waiting)
+
     def next_for(self, worker: str) -> Trial | None:
         for first in list(itertools.islice(self._waiting, 16)):
             if first.worker != worker:

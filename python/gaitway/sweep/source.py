@@ -53,6 +53,10 @@ class Source:
             raise InputError(f"{file}: {error.strerror}") from error
         except RecursionError:
             raise InputError(f"{file}: is nested too deep, {DEEPEST} lists and mappings at most") from None
+        except yaml.MarkedYAMLError as error:
+            line = f":{error.problem_mark.line + 1}" if error.problem_mark else ""
+            what = ", ".join(part for part in (error.context, error.problem) if part)
+            raise InputError(f"{file}{line}: is no YAML: {what}") from error
         except (yaml.YAMLError, UnicodeDecodeError) as error:
             raise InputError(f"{file}: is no YAML: {error}") from error
         if node is None:

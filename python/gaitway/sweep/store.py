@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import json
 import os
+import tempfile
 import time
 from collections.abc import Iterable
 from concurrent.futures import Future, ThreadPoolExecutor
@@ -32,10 +33,12 @@ def default_folder() -> Path:
 
 
 def open_store(folder: Path | None) -> Store:
-    """As --store says; None: the default folder. InputError where it cannot be made."""
+    """As --store says; None: the default folder. InputError where it cannot be made, or written."""
     place = folder or default_folder()
     try:
         store = Store(place)
+        with tempfile.TemporaryFile(dir=place):
+            pass  # it can be written
         store.remove_left_overs()
         return store
     except OSError as error:

@@ -60,7 +60,7 @@ class Sweep:
     def columns(self) -> list[str]:
         """Of the results' table, before the measures."""
         named = [name for name, values in self.axes.items() if len(values) > 1 and name != "seed"]
-        return ["trial", *named, *self.design.parameters, "seed"]
+        return ["trial", *named, *map(self.design.heading, self.design.parameters), "seed"]
 
     def trials(self) -> Iterator[Trial]:
         """The seeds of a point follow one another."""
@@ -81,7 +81,8 @@ class Sweep:
         """Whether or not it is one of the sweep's."""
         kind = kind_of(self.kind)
         description = self._description(axes, parameters)
-        row = {"trial": number, **axes, **parameters}
+        told = {self.design.heading(name): self.design.number(name, value) for name, value in parameters.items()}
+        row = {"trial": number, **axes, **told}
         return Trial(number, description, {name: row.get(name) for name in self.columns}, key_of(self.kind, kind.code(), description))
 
     def axes_of_first(self) -> Json:
@@ -145,7 +146,7 @@ def read_sweep(file: Path) -> Sweep:
 
 
 def _robot_sweep(root: Source, fields: dict[str, Source], design: Design, measures: tuple[str, ...], beside: Path) -> Sweep:
-    from .robot_trial import check_parameter, found
+    from .robot_trial import check_parameter, found, nearest
 
     if "seconds" not in fields:
         root.refuse("has no 'seconds'", "Say how long a trial is, for example 'seconds: 20'")
@@ -154,7 +155,7 @@ def _robot_sweep(root: Source, fields: dict[str, Source], design: Design, measur
             source.refuse(why)
 
     def named(field: str, what: str, usual: str | None) -> Sequence[str | None]:
-        return _distinct(fields[field], lambda one: _named(one, what, beside, found)) if field in fields else (usual,)
+        return _distinct(fields[field], lambda one: _named(one, what, beside, found, nearest)) if field in fields else (usual,)
 
     axes: Taken = {
         "robot": named("robots", "robot", "humanoid22"),
@@ -163,10 +164,11 @@ def _robot_sweep(root: Source, fields: dict[str, Source], design: Design, measur
         "mismatch": _distinct(fields["mismatch"], lambda one: one.number(0, 10)) if "mismatch" in fields else (1.0,),
         "seed": _seeds(fields["seeds"]),
     }
-    scenarios = _scenarios(fields)
+    seconds = fields["seconds"].number(0.08, LONGEST_S)
+    scenarios = _scenarios(fields, seconds)
     axes["scenario"] = tuple(scenarios)
-    _check_variables(fields, design)
-    constant: Json = {"seconds": fields["seconds"].number(0.08, LONGEST_S)}
+    _check_variables(fields, seconds)
+    constant: Json = {"seconds": seconds}
     constant["world_seed"] = fields["world_seed"].whole(0, MOST_SEED) if "world_seed" in fields else None
     constant["conditions"] = fields["conditions"].plain() if "conditions" in fields else None
     return Sweep("robot", axes, design, constant, scenarios, measures, root, _places(fields))
@@ -182,6 +184,8 @@ def _places(fields: dict[str, Source]) -> dict[str, Sequence[Source]]:
         places["scenario"] = [fields["scenario"]]
     if "scenarios" in fields:
         places["scenario"] = list(fields["scenarios"].fields().values())
+    if "conditions" in fields:
+        places["conditions"] = [fields["conditions"]]
     for name, source in _parameter_sources(fields).items():
         places[name] = [source.fields()[end] for end in ("from", "to")] if source.is_map else source.items()
     return places
@@ -215,13 +219,14 @@ def _measures(fields: dict[str, Source], kind: str) -> tuple[str, ...]:
     return _distinct(fields["measures"], read) if "measures" in fields else ()
 
 
-def _named(source: Source, what: str, beside: Path, found: Callable[[str, str, Path], str | None]) -> str | None:
+def _named(source: Source, what: str, beside: Path, found: Callable[[str, str, Path], str | None],
+           nearest: Callable[[str, str], str]) -> str | None:
     """The name of a shipped one, or a path as seen from the sweep's file; None: the world without a name."""
     if what == "world" and source.text() in ("", "null", "none", "~"):
         return None
     path = found(what, source.text(), beside)
     if path is None:
-        source.refuse(f"is no {what}: neither a shipped one nor a path from here")
+        source.refuse(f"is no {what}: neither a shipped one nor a path from here", nearest(what, source.text()))
     return path
 
 
@@ -238,17 +243,17 @@ def _seeds(source: Source) -> tuple[int, ...] | range:
     return _distinct(source, lambda one: one.whole(0, MOST_SEED))
 
 
-def _scenarios(fields: dict[str, Source]) -> dict[str, list[Json]]:
+def _scenarios(fields: dict[str, Source], seconds: float) -> dict[str, list[Json]]:
     if "scenario" in fields and "scenarios" in fields:
         fields["scenario"].refuse("stands beside 'scenarios'", "Move it into 'scenarios', under a name")
     if "scenarios" in fields:
         if not fields["scenarios"].fields():
             fields["scenarios"].refuse("has none", "Give one, or leave it out")
-        return {name: _events(one) for name, one in fields["scenarios"].fields().items()}
-    return {"": _events(fields["scenario"])} if "scenario" in fields else {"": [{"at_s": 1.0, "walk": [0.15, 0.0, 0.0]}]}
+        return {name: _events(one, seconds) for name, one in fields["scenarios"].fields().items()}
+    return {"": _events(fields["scenario"], seconds)} if "scenario" in fields else {"": [{"at_s": 1.0, "walk": [0.15, 0.0, 0.0]}]}
 
 
-def _events(source: Source) -> list[Json]:
+def _events(source: Source, seconds: float) -> list[Json]:
     if not source.is_list:
         source.refuse("must be a list of events", "For example [{at_s: 1, walk: [0.2, 0, 0]}]")
     events: list[Json] = []
@@ -257,12 +262,12 @@ def _events(source: Source) -> list[Json]:
         if "at_s" not in parts or len(parts) != 2:
             one.refuse("must have 'at_s' and one action", "For example {at_s: 1, walk: [0.2, 0, 0]}")
         if not parts["at_s"].text().startswith("$"):
-            parts["at_s"].number(0, LONGEST_S)
+            _check_time(parts["at_s"], parts["at_s"].number(0, LONGEST_S), seconds)
         events.append(one.plain())
     return events
 
 
-def _check_variables(fields: dict[str, Source], design: Design) -> None:
+def _check_variables(fields: dict[str, Source], seconds: float) -> None:
     """A variable of a scenario is a parameter without a dot; the other way round, too."""
     sources = _parameter_sources(fields)
     written = [fields[name] for name in ("scenario", "scenarios") if name in fields]
@@ -275,13 +280,13 @@ def _check_variables(fields: dict[str, Source], design: Design) -> None:
             one.refuse("is a variable that 'parameters' has not", f"Add {name} there")
         used.add(name)
         if one.field.endswith(".at_s"):
-            _check_times(one.field, sources[name])
+            _check_times(one.field, sources[name], seconds)
     for name, source in sources.items():
         if "." not in name and name not in used:
             source.refuse("is neither PLUGIN.PARAMETER nor used in a scenario", f"Write ${name} where its value belongs")
 
 
-def _check_times(field: str, source: Source) -> None:
+def _check_times(field: str, source: Source, seconds: float) -> None:
     """Of a variable that says when something happens."""
     parts = source.fields() if source.is_map else {}
     if "unit" in parts:
@@ -290,6 +295,13 @@ def _check_times(field: str, source: Source) -> None:
         value = one.plain()
         if isinstance(value, bool) or not isinstance(value, int | float) or not 0 <= value <= LONGEST_S:
             one.refuse(f"must be a number of seconds, 0 to {LONGEST_S:g}: it is {field}")
+        _check_time(one, value, seconds)
+
+
+def _check_time(source: Source, at_s: float, seconds: float) -> None:
+    """As `gaitway run` does."""
+    if at_s >= seconds:
+        source.refuse(f"must be before the end of the trial at {seconds:g} s, or it never happens")
 
 
 def _filled_in(value: Any, variables: Json) -> Any:

@@ -61,13 +61,12 @@ class WalkMetrics:
     def measures(self) -> dict[str, Any]:
         x, y, yaw = self._start or (0.0, 0.0, 0.0)
         _, drift = _turned(self._end[0] - x, self._end[1] - y, -yaw)
-        walked_s = self._walked_s
         return {
             "survived": self.fell_at_s is None,
             "fell_at_s": self.fell_at_s,
             "distance_m": math.hypot(self._end[0] - x, self._end[1] - y),
-            "mean_speed_m_s": self._path_m / walked_s if walked_s > 0.0 else 0.0,
-            "mean_side_speed_m_s": self._sideways_m / walked_s if walked_s > 0.0 else 0.0,
+            "mean_speed_m_s": self._mean(self._path_m),
+            "mean_side_speed_m_s": self._mean(self._sideways_m),
             "lateral_drift_m": drift,
             "heading_drift_rad": self._end[2] - yaw - self._commanded_yaw_rad,
             "commanded_m": self._commanded_m,
@@ -75,6 +74,10 @@ class WalkMetrics:
             "tilt_max_rad": self._tilt_max_rad,
             "tilt_rms_rad": math.sqrt(self._tilt_squares / self._samples) if self._samples else 0.0,
         }
+
+    def _mean(self, path_m: float) -> float | None:
+        """None: it never walked steadily."""
+        return path_m / self._walked_s if self._walked_s > 0.0 else None
 
 
 def _turned(x: float, y: float, by_rad: float) -> tuple[float, float]:

@@ -13,7 +13,7 @@ from gaitway.sweep.engine import Engine
 from gaitway.sweep.place import pool_at
 from gaitway.sweep.program import Parser, run_program
 from gaitway.sweep.results import prepare_folder, write_whole
-from gaitway.sweep.robot_trial import found, place_of
+from gaitway.sweep.robot_trial import found, nearest, place_of
 from gaitway.sweep.store import open_store
 
 from .numbers import NUMBERS, by_names, parameters
@@ -59,7 +59,7 @@ def _run(options: argparse.Namespace) -> int:
     robot, config = found("robot", options.robot, Path()), found("config", options.config, Path())
     if robot is None or config is None:
         what, name = ("robot", options.robot) if robot is None else ("config", options.config)
-        raise InputError(f"--{what} {name}: is neither a shipped one nor a path")
+        raise InputError(f"--{what} {name}: is neither a shipped one nor a path. {nearest(what, name)}")
     plan, seconds = _plan(options)
     store = open_store(options.store)
     subject = Subject(robot, config, _body(robot), seconds)
@@ -109,7 +109,8 @@ def _write(folder: Path, robot: str, config: str, plan: Plan, tuned: Tuned, seco
         "trials that ran": engine.tally.ran,
         "trials that were known": engine.tally.stored,
     }
-    text = report(Path(robot).name, tuned.verdict, tuned.parameters, how)
+    begun = parameters(plan.numbers, [0.0] * len(plan.numbers))
+    text = report(Path(robot).name, tuned.verdict, begun, tuned.parameters, how)
     base = place_of("config", config).read_text(encoding="utf-8")
     head = f"{Path(config).stem} with numbers tuned for {Path(robot).name}: {tuned.verdict.words}.\nWhat they bought: tuned.md."
     write_whole(folder / "tuned.yaml", tuned_config(base, tuned.parameters, head))

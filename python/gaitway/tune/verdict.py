@@ -34,8 +34,8 @@ class Verdict:
         return "no measure shows a difference: keep the default gait"
 
 
-def report(robot: str, verdict: Verdict, parameters: dict[str, str], how: dict[str, Any]) -> str:
-    """Markdown."""
+def report(robot: str, verdict: Verdict, begun: dict[str, str], parameters: dict[str, str], how: dict[str, Any]) -> str:
+    """Markdown. `begun`: the numbers with which the search began."""
     lines = [
         f"# The gait of {robot}, tuned",
         "",
@@ -52,9 +52,9 @@ def report(robot: str, verdict: Verdict, parameters: dict[str, str], how: dict[s
         "",
         f"Less is better in each. Both gaits had the same trials; better and worse are differences beyond {SURE:g} standard errors.",
         "",
-        "| number | tuned |",
-        "|---|---|",
-        *(f"| {name} | {value} |" for name, value in parameters.items()),
+        "| number | where the search began | tuned |",
+        "|---|---|---|",
+        *(f"| {name} | {begun[name]} | {value} |" for name, value in parameters.items()),
         "",
         *(f"- {name}: {value}" for name, value in how.items()),
     ]

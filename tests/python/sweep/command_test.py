@@ -7,6 +7,8 @@ import json
 import os
 import pathlib
 import signal
+import subprocess
+import sys
 import time
 
 import pytest
@@ -30,6 +32,7 @@ def test_a_repeated_sweep_runs_nothing_and_says_the_same(file: pathlib.Path, tmp
         run = SweepRun(file, "local:2", tmp_path / out, tmp_path / "store")
         assert run.finish() == 0, run.log.read_text()
         assert run.account()["ran"] == ran
+        assert ("worker" in run.log.read_text()) == (ran > 0), "nothing is to be run: nobody is called"
     assert (tmp_path / "first/results.csv").read_bytes() == (tmp_path / "second/results.csv").read_bytes()
     rows = list(csv.DictReader((tmp_path / "first/results.csv").open()))
     assert [int(row["trial"]) for row in rows] == list(range(30))
@@ -95,6 +98,7 @@ def test_a_plan_of_a_million_trials_is_quick(tmp_path: pathlib.Path, capsys: pyt
         (["FILE", "--patience", "nan"], "--patience nan"),
         (["FILE", "--on", "local:²"], "--on local:²: is no place for trials"),
         (["FILE", "--on", "ray://here", "--plan"], "--on ray://here: is no place for trials"),
+        (["FILE", "--store", "/proc/sys"], "--store /proc/sys: "),
         (["f" * 300], "File name too long"),
         (["WRONG"], "parameters.rounds[1]: '-1' cannot run: rounds = -1: must be a number, 1 to 1e+09"),
     ],
@@ -104,8 +108,8 @@ def test_bad_input_ends_with_1(
 ) -> None:
     wrong = tmp_path / "wrong.yaml"
     wrong.write_text("trial: rehearsal\nseeds: 1..3\nparameters: {rounds: [5, -1]}\n")
-    line = [{"FILE": str(file), "WRONG": str(wrong)}.get(word, word) for word in arguments]
-    assert command.main([*line, "--store", str(tmp_path / "store")]) == 1
+    line = ["--store", str(tmp_path / "store"), *({"FILE": str(file), "WRONG": str(wrong)}.get(word, word) for word in arguments)]
+    assert command.main(line) == 1
     assert complaint in capsys.readouterr().err
     assert stored(tmp_path / "store") == 0
 
@@ -123,3 +127,49 @@ def test_no_scheduler_is_said_in_time(file: pathlib.Path, tmp_path: pathlib.Path
     run = SweepRun(file, "dask://127.0.0.1:9", tmp_path / "out", tmp_path / "store", "--patience", "2")
     assert run.finish() == 3
     assert "no scheduler answers at tcp://127.0.0.1:9" in run.log.read_text()
+
+
+def start(*arguments: str, before: str = "") -> subprocess.Popen[str]:
+    """As `gaitway sweep` of a wheel begins. `before`: Python that runs first."""
+    code = f"import sys; sys.argv = ['gaitway-sweep', *{list(arguments)!r}]\n{before}\nfrom gaitway import _start; sys.exit(_start.sweep())"
+    return subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+
+def test_what_is_not_installed_is_told_in_a_line() -> None:
+    process = start("any.yaml", before="sys.modules['yaml'] = None")
+    out, err = process.communicate(timeout=60)
+    assert (process.returncode, out) == (1, "")
+    assert err == "gaitway sweep: sweep files need PyYAML. Install the wheel with it: pip install 'gaitway-….whl[sweep]'\n"
+
+
+def test_an_interrupt_before_anything_is_under_way_is_no_traceback(tmp_path: pathlib.Path) -> None:
+    process = start("--help", before="""
+import importlib, os, signal
+def instead(name, real=importlib.import_module):
+    os.kill(os.getpid(), signal.SIGINT)
+    return real(name)
+importlib.import_module = instead
+""")
+    assert process.communicate(timeout=60) == ("", "")
+    assert process.returncode == -signal.SIGINT
+
+
+def test_an_interrupt_while_workers_begin_is_the_clients(tmp_path: pathlib.Path) -> None:
+    slow = tmp_path / "slow.yaml"
+    slow.write_text("trial: rehearsal\nseeds: 1..300\nparameters: {sleep_s: [0.1]}\n")
+    run = SweepRun(slow, "local:2", tmp_path / "out", tmp_path / "store", own_group=True)
+    children = pathlib.Path(f"/proc/{run.process.pid}/task/{run.process.pid}/children")
+    end = time.monotonic() + 60
+
+    def loading(child: str) -> bool:
+        """Its interpreter runs, and it has not got as far as its requests."""
+        process = pathlib.Path("/proc") / child
+        return "spawn_main" in (process / "cmdline").read_text() and "lib-dynload" in (process / "maps").read_text()
+
+    while not any(map(loading, children.read_text().split())):
+        assert time.monotonic() < end and run.process.poll() is None, run.log.read_text()
+        time.sleep(0.001)
+    os.killpg(run.process.pid, signal.SIGINT)  # as a terminal does
+    assert run.finish() == 3
+    assert "Traceback" not in run.log.read_text()
+    assert "interrupted. What has run is stored" in run.log.read_text()

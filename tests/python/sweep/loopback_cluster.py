@@ -126,7 +126,8 @@ class SweepRun:
     """A sweep as a process of its own, with its folder. `enter`: before the command."""
 
     def __init__(
-        self, file: pathlib.Path, on: str, out: pathlib.Path, store: pathlib.Path, *options: str, enter: Sequence[str] = ()
+        self, file: pathlib.Path, on: str, out: pathlib.Path, store: pathlib.Path, *options: str, enter: Sequence[str] = (),
+        own_group: bool = False,
     ) -> None:
         self.out = out
         out.mkdir(parents=True, exist_ok=True)
@@ -135,7 +136,7 @@ class SweepRun:
             self.process = subprocess.Popen(
                 [*enter, sys.executable, "-X", "faulthandler", "-m", "gaitway.sweep.command", str(file), "--on", on, "--out", str(out),
                  "--store", str(store), *options],
-                env=environment(), stdout=log, stderr=log,
+                env=environment(), stdout=log, stderr=log, start_new_session=own_group,
             )
 
     def known(self) -> int:

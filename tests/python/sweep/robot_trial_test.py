@@ -35,6 +35,12 @@ def test_a_trial_is_a_run(tmp_path: pathlib.Path) -> None:
     assert result["handed_over"] == summary["batches"]["handed_over"]
 
 
+def test_a_speed_that_was_never_measured_is_none(tmp_path: pathlib.Path) -> None:
+    [description] = trials_of(tmp_path, "seeds: [3]\nseconds: 1.5\nscenario: [{at_s: 0.5, walk: [0.1, 0, 0]}]\n")
+    result = RobotTrials().run(description)
+    assert (result["mean_speed_m_s"], result["mean_side_speed_m_s"]) == (None, None)
+
+
 def test_parameters_and_variables_reach_the_robot(tmp_path: pathlib.Path) -> None:
     text = """
 seeds: [1]
@@ -58,7 +64,10 @@ AT = "seeds: [1]\nseconds: 1\nscenario: [{at_s: $t, walk: [0.1, 0, 0]}]\n"
         ("seeds: [1]\nseconds: 1\nparameters: {push: [1, 2]}\n", r"push: is neither PLUGIN.PARAMETER nor used in a scenario"),
         ("seeds: [1]\nseconds: 1\nscenario: [{at_s: 0, walk: [$v, 0, 0]}]\n", r":3: scenario\[0\].walk\[0\]: '\$v' is a variable that 'parameters' has not. Add v"),
         ("seeds: [1]\nseconds: 1\nscenario: [{at_s: 0, walk: [.nan, 0, 0]}]\n", r":3: scenario\[0\].walk\[0\]: '.nan' is not a finite"),
-        (AT + "parameters:\n  t: [1, soon]\n", r":5: parameters.t\[1\]: 'soon' must be a number of seconds, 0 to 86400: it is scenario\[0\].at_s"),
+        (AT + "parameters:\n  t: [0.5, soon]\n", r":5: parameters.t\[1\]: 'soon' must be a number of seconds, 0 to 86400: it is scenario\[0\].at_s"),
+        (AT + "parameters:\n  t: [0.5, 1]\n", r":5: parameters.t\[1\]: '1' must be before the end of the trial at 1 s, or it never happens"),
+        ("seeds: [1]\nseconds: 1\nscenario: [{at_s: 1, walk: [0.1, 0, 0]}]\n", r":3: scenario\[0\].at_s: '1' must be before the end"),
+        ("seeds: [1]\nseconds: 1\nconfigs: [wlk]\n", r":3: configs\[0\]: 'wlk' is no config.*Did you mean 'walk'\?"),
         (AT + "parameters:\n  t: [1e308]\n", r":5: parameters.t\[0\]: '1e308' must be a number of seconds"),
         (AT + "parameters:\n  t: {from: -1, to: 2, steps: 3}\n", r":5: parameters.t.from: '-1' must be a number of seconds"),
         (AT + "parameters:\n  t: {from: 1, to: 2, steps: 3, unit: s}\n", r":5: parameters.t.unit: 's' is a unit"),
@@ -73,6 +82,13 @@ AT = "seeds: [1]\nseconds: 1\nscenario: [{at_s: $t, walk: [0.1, 0, 0]}]\n"
 def test_a_mistake_is_told_with_its_place(tmp_path: pathlib.Path, text: str, complaint: str) -> None:
     with pytest.raises(InputError, match=complaint):
         trials_of(tmp_path, text)
+
+
+def test_conditions_that_cannot_be_are_told_with_their_line(tmp_path: pathlib.Path) -> None:
+    file = tmp_path / "sweep.yaml"
+    file.write_text("seeds: [1]\nseconds: 1\nscenario: [{at_s: 0, stand: true}]\nconditions: {slope: 3}\n")
+    with pytest.raises(InputError, match=r":4: conditions: cannot run: .*slope"):
+        check_values(read_sweep(file), Store(tmp_path / "store"))
 
 
 def test_a_parameter_that_there_is_not_is_told_before_anything_runs(tmp_path: pathlib.Path) -> None:

@@ -63,6 +63,22 @@ def test_a_logarithmic_grid_and_units() -> None:
     assert [Range(0.02, 0.04, 3, False, "s").nth(number) for number in range(3)] == ["0.02 s", "0.03 s", "0.04 s"]
 
 
+def test_a_column_has_numbers_below_the_unit_of_all_of_them(tmp_path: pathlib.Path) -> None:
+    sweep = read_sweep(written(tmp_path, """
+trial: rehearsal
+seeds: [1]
+parameters:
+  range: {from: 0.02, to: 0.04, steps: 3, unit: s}
+  list: ["3 mm", "1.5e1 mm"]
+  several: ["3 mm", "1 cm"]
+  word: [slow, fast]
+"""))
+    assert sweep.columns == ["trial", "range [s]", "list [mm]", "several", "word", "seed"]
+    last = sweep.trial(sweep.count - 1)
+    assert list(last.row.values())[1:5] == [0.04, 15.0, "1 cm", "fast"]
+    assert last.description["range"] == "0.04 s"
+
+
 @pytest.mark.parametrize(
     ("text", "complaint"),
     [

@@ -144,7 +144,7 @@ def test_where_nothing_is_won_it_says_so(made_up: pytest.MonkeyPatch, tmp_path: 
     trial_module.kind_of.cache_clear()
     tuned = tune(plan(2), Tried(), engine(tmp_path / "store"), tmp_path / "state.json", lambda _: None)
     assert not tuned.verdict.reached
-    assert "keep the default gait" in report("r", tuned.verdict, tuned.parameters, {"verdict trials": 10})
+    assert "keep the default gait" in report("r", tuned.verdict, {}, tuned.parameters, {"verdict trials": 10})
 
 
 def test_a_robot_is_never_both_for_the_search_and_the_verdict(made_up: object, tmp_path: pathlib.Path) -> None:
