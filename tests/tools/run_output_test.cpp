@@ -54,16 +54,20 @@ TEST_F(RunOutput, StayingUpIsNotEnough) {
 
 // What is told again and again has one line, so that the end of it is seen, too.
 TEST_F(RunOutput, TheTableFoldsWhatIsToldAgainAndAgain) {
-  std::ofstream(folder_ / "fails.yaml") << "seconds: 3\nevents:\n  - {at_s: 0.9, fault: {kind: plugin_fails, plugin: "
-                                           "trajectory, how: throws, duration_s: 20}}\n";
-  const std::string line = std::string(GAITWAY_COMMAND) + " run --no-pictures --out '" + (folder_ / "out").string() +
-                           "' --scenario '" + (folder_ / "fails.yaml").string() + "' > '" + (folder_ / "table.txt").string() + "'";
+  std::ofstream(folder_ / "fails.yaml")
+      << "seconds: 3\nevents:\n  - {at_s: 0.9, fault: {kind: plugin_fails, plugin: "
+         "trajectory, how: throws, duration_s: 20}}\n";
+  const std::string line = std::string(GAITWAY_COMMAND) + " run --no-pictures --out '" +
+                           (folder_ / "out").string() + "' --scenario '" + (folder_ / "fails.yaml").string() +
+                           "' > '" + (folder_ / "table.txt").string() + "'";
   ASSERT_EQ(WEXITSTATUS(std::system(line.c_str())), 0);
   const std::string table = text("table.txt", ".");
   EXPECT_NE(table.find("step() threw (8 times, last at 1.504 s)"), std::string::npos) << table;
   EXPECT_NE(table.find("out of service after 8 faults"), std::string::npos) << table;
   std::size_t told = 0;
-  for (std::size_t at = table.find("trajectory fault:"); at != std::string::npos; at = table.find("trajectory fault:", at + 1)) ++told;
+  for (std::size_t at = table.find("trajectory fault:"); at != std::string::npos;
+       at = table.find("trajectory fault:", at + 1))
+    ++told;
   EXPECT_EQ(told, 1) << table;
 }
 
