@@ -16,7 +16,7 @@ except ImportError as error:
 from gaitway import _actions
 from gaitway._observations import Observation
 from gaitway._rewards import Reward, Transition, follow_command
-from gaitway._robot import Robot
+from gaitway._robot import Robot, _number
 
 CYCLE_MS = 80
 CYCLE_S = CYCLE_MS * 1e-3
@@ -138,10 +138,7 @@ class Env(gymnasium.Env[Vector, Vector]):
     def told(self, transition: Transition) -> tuple[Vector, float, dict[str, Any]]:
         """Observation, reward and info."""
         given = self._reward(transition)
-        try:
-            reward = float(given)
-        except (TypeError, ValueError):
-            raise TypeError(f"the reward is {given!r}: must be a number") from None
+        reward = _number("the reward", given)
         if not math.isfinite(reward):
             raise ValueError(f"the reward is {reward}: must be finite")
         return self._observation.read(), reward, {"time_s": self.robot.time_s}

@@ -171,7 +171,7 @@ class Robot:
 
     def run(self, seconds: float) -> None:
         """Lets it go on for this long of its own time, rounded to whole milliseconds: each call by itself."""
-        _number("seconds", seconds)
+        seconds = _number("seconds", seconds)
         if not math.isfinite(seconds) or seconds < 0:
             raise ValueError(f"seconds = {seconds}: must be a finite number that is not negative")
         milliseconds = round(seconds * 1e3)
@@ -221,7 +221,7 @@ class Robot:
 
     def push(self, link: str, impulse: Iterable[float], duration_s: float = PUSH_S) -> None:
         """A constant force at the link's centre of mass that gives the impulse (x, y, z of the world, N·s)."""
-        vector = [_number("impulse", part) for part in impulse]
+        vector = [_number("impulse", part) for part in _several("impulse", impulse)]
         if len(vector) != 3 or not all(map(math.isfinite, vector)):
             raise ValueError(f"impulse = {vector}: must be three finite numbers, N*s along x, y and z of the world")
         strength = math.hypot(*vector)
@@ -243,10 +243,10 @@ class Robot:
         try:
             self._run.write(described.index, whole)
         except TopicError as error:
-            if self.writer_of(topic) is None:
+            if self.writer_of(topic) != "main_controller" or described.writer not in {fault.plugin for fault in self.faults()}:
                 raise
             raise TopicError(f"topic '{topic}' is already written by the plug-in {described.writer}. Robot(writes=['{topic}']) takes "
-                             "that plug-in out, and leaves the topic to you") from error
+                             "that plug-in out, and leaves its topics to you") from error
 
     # What can be read.
 
@@ -351,28 +351,37 @@ def _seed(seed: int) -> int:
 
 def _path(argument: str, given: Any) -> str:
     try:
-        return os.fsdecode(given)
-    except TypeError:
-        raise TypeError(f"{argument} = {given!r}: must be a path or a name") from None
+        path = os.fsdecode(given)
+        path.encode()
+        return path
+    except (TypeError, UnicodeEncodeError):
+        raise TypeError(f"{argument} = {given!r}: must be a path or a name, in UTF-8") from None
 
 
 def _number(argument: str, given: Any) -> float:
-    if isinstance(given, (str, bytes, complex)):
-        raise TypeError(f"{argument} = {given!r}: must be a number")
     try:
+        if isinstance(given, (str, bytes, bytearray, complex, np.complexfloating)):
+            raise TypeError
         return float(given)
-    except TypeError:
+    except (TypeError, ValueError, OverflowError):
         raise TypeError(f"{argument} = {given!r}: must be a number") from None
 
 
 def _json(argument: str, given: Any) -> str:
-    """JSON has neither NaN nor infinity, and so has no file that Gaitway reads."""
+    """Also of NumPy's numbers and arrays."""
     try:
-        return json.dumps(given, allow_nan=False)
-    except ValueError:
-        raise ValueError(f"{argument} = {given!r}: numbers must be finite") from None
+        return json.dumps(given, allow_nan=False, default=_plain)
+    except ValueError as error:
+        why = "numbers must be finite" if "Out of range" in str(error) else str(error)
+        raise ValueError(f"{argument} = {given!r}: {why}") from None
     except TypeError as error:
         raise TypeError(f"{argument} = {given!r}: {error}. Take texts, numbers, flags, lists and mappings") from None
+
+
+def _plain(given: Any) -> Any:
+    if isinstance(given, (np.generic, np.ndarray)):
+        return given.tolist()
+    raise TypeError(f"{given!r} is a {type(given).__name__}")
 
 
 def _several(argument: str, names: Iterable[Any]) -> Iterable[Any]:

@@ -21,11 +21,14 @@ def measure_on() -> int:
 
 
 def _start(name: str, module: str) -> int:
-    signal.signal(signal.SIGINT, signal.SIG_DFL)
+    is_heard = signal.getsignal(signal.SIGINT) is signal.default_int_handler  # not in the background of a script
+    if is_heard:
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
     try:
         program = importlib.import_module(module)
     except ImportError as error:
         print(f"{name}: {error}", file=sys.stderr)
         return 1
-    signal.signal(signal.SIGINT, signal.default_int_handler)
+    if is_heard:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
     return int(program.main())

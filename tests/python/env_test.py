@@ -239,7 +239,7 @@ def test_a_bad_action_of_one_is_not_asked_of_the_others():
 
 
 @pytest.mark.parametrize(("reward", "error", "tells"), [
-    ("x", TypeError, "the reward is 'x': must be a number"), (None, TypeError, "the reward is None"),
+    ("x", TypeError, "the reward = 'x': must be a number"), (None, TypeError, "the reward = None"), (10**400, TypeError, "must be a number"),
     (float("nan"), ValueError, "the reward is nan: must be finite")])
 def test_rewards_that_are_none(reward, error, tells):
     env = make(reward=lambda _: reward)

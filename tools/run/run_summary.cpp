@@ -82,6 +82,11 @@ nlohmann::ordered_json network(const simulator::Cosimulation& run) {
             {"recoveries", statistics.recoveries}}}};
 }
 
+// Null for a robot that never walked steadily.
+nlohmann::ordered_json if_walked(const RunMetrics& metrics, double value) {
+  return metrics.walked_s > 0.0 ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+}
+
 // What plug-ins, manager and message controller had to say; the oldest may have been overwritten.
 nlohmann::ordered_json events(const simulator::Cosimulation& run) {
   const core::EventLog& log = run.main_controller().events();
@@ -196,8 +201,8 @@ nlohmann::ordered_json summary(const simulator::Cosimulation& run, const RunReco
       {"commanded_m", metrics.way_m.commanded},
       {"commanded_and_done_m", metrics.way_m.done},
       {"distance_m", metrics.distance_m()},
-      {"mean_speed_m_s", metrics.mean_speed_m_per_s()},
-      {"mean_side_speed_m_s", metrics.mean_side_speed_m_per_s()},
+      {"mean_speed_m_s", if_walked(metrics, metrics.mean_speed_m_per_s())},
+      {"mean_side_speed_m_s", if_walked(metrics, metrics.mean_side_speed_m_per_s())},
       {"lateral_drift_m", metrics.lateral_drift_m()},
       {"heading_drift_rad", metrics.heading_drift_rad()},
       {"batches", batches(run)},
@@ -238,8 +243,9 @@ std::string summary_table(const nlohmann::ordered_json& s) {
   const auto& zmp = s["zmp"];
   const bool has_walked_by_velocity = !zmp["margin_min_m"].is_null();
   if (has_walked_by_velocity) {
-    row("distance",
-        fmt::format("{:.3f} m, mean speed {:.3f} m/s", number(s["distance_m"]), number(s["mean_speed_m_s"])));
+    const auto& speed = s["mean_speed_m_s"];
+    row("distance", fmt::format("{:.3f} m, {}", number(s["distance_m"]),
+                                speed.is_null() ? "too short for a mean speed" : fmt::format("mean speed {:.3f} m/s", number(speed))));
     row("drift", fmt::format("{:+.3f} m sideways, {:+.2f} deg heading", number(s["lateral_drift_m"]),
                              number(s["heading_drift_rad"]) * 57.29578));
   } else {

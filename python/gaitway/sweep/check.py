@@ -9,7 +9,7 @@ from .complaint import ImpossibleError
 from .design import Range
 from .source import Source
 from .store import Store
-from .sweep_file import Sweep
+from .sweep_file import CONDITIONS, Sweep
 from .trial import Trial, kind_of
 
 MOST_OF_A_LIST = 100  # values of one list; the others are found wrong when they run
@@ -60,8 +60,8 @@ def culprit(sweep: Sweep, first: Trial) -> Source:
         rest = {other: value for other, value in point.items() if other != name}
         if sweep.is_optional(name) and not complaint(sweep.kind, sweep.trial_of(0, axes, rest).description):
             return sweep.places[name][0]
-    if "conditions" in sweep.places and not complaint(sweep.kind, {**first.description, "conditions": None}):
-        return sweep.places["conditions"][0]
+    if CONDITIONS in sweep.places and not complaint(sweep.kind, {**first.description, "conditions": None}):
+        return sweep.places[CONDITIONS][0]
     without_events = {**first.description, "events": []}
     if "scenario" in sweep.places and not complaint(sweep.kind, without_events):
         return sweep.places["scenario"][0]

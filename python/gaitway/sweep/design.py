@@ -11,7 +11,8 @@ from functools import cached_property
 from typing import Any, Literal
 
 Point = tuple[Any, ...]  # a value for each parameter, in their order
-WITH_UNIT = re.compile(r"\s*([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)\s+(\S+)\s*")  # 0.03 s
+# 0.03 s, 1e-3 rad/s, 5deg, 0.2 1 / s
+WITH_UNIT = re.compile(r"\s*([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)(?:\s+|(?![0-9.eE]))(?=.*[A-Za-zµ°%])(\S(?:.*\S)?)\s*")
 
 
 @dataclass(frozen=True)
@@ -25,7 +26,8 @@ class Values:
         """The one of all of them; empty: they have none, or several."""
         read = [WITH_UNIT.fullmatch(value) if isinstance(value, str) else None for value in self.values]
         units = {one[2] if one else "" for one in read}
-        return units.pop() if len(units) == 1 else ""
+        numbers = {float(one[1]) for one in read if one}
+        return units.pop() if len(units) == 1 and len(numbers) == len(self.values) and all(map(math.isfinite, numbers)) else ""
 
     @property
     def count(self) -> int:
@@ -101,8 +103,7 @@ class Design:
 
     def heading(self, parameter: str) -> str:
         """Of its column: with the unit that all its values have."""
-        unit = self.parameters[parameter].unit
-        return f"{parameter} [{unit}]" if unit else parameter
+        return self._headings[parameter]
 
     def number(self, parameter: str, value: Any) -> Any:
         """What stands below that heading."""
@@ -111,6 +112,10 @@ class Design:
 
     def points(self) -> Iterator[Point]:
         return map(self.point, range(self.count))
+
+    @cached_property
+    def _headings(self) -> dict[str, str]:
+        return {name: f"{name} [{one.unit}]" if one.unit else name for name, one in self.parameters.items()}
 
     @cached_property
     def _slices(self) -> list[list[int]]:

@@ -27,6 +27,7 @@ MOST_STORED_AT_ONCE = 2000  # read from the store before reports are looked at
 POLL_S = 0.2
 DEADLY = 5  # workers that died running a trial: it is the trial's fault then
 
+_NOTHING: Iterator[Trial | None] = iter(())
 Sink = Callable[[Trial, str], None]  # told each trial's result once, in the order in which they become known
 
 
@@ -78,10 +79,11 @@ class Engine:
         """
         fresh = self._not_stored(trials, sink)
         try:
-            first = self._first_of(fresh, look)
-            if first is None and not self.second_runs.wanted:
+            fresh = self._from_first(fresh, look)
+            more = fresh is not _NOTHING
+            if not (more or self.second_runs.wanted):
                 return  # without a worker
-            fresh, more = chain([first], fresh), True
+            self._store.require_writable()
             while True:
                 self._look_for_workers()
                 more = self._hand_out(fresh, more)
@@ -116,14 +118,15 @@ class Engine:
             if number % MOST_STORED_AT_ONCE == 0:
                 yield None
 
-    @staticmethod
-    def _first_of(fresh: Iterator[Trial | None], look: Callable[[], None]) -> Trial | None:
-        """None: there is none."""
+    def _from_first(self, fresh: Iterator[Trial | None], look: Callable[[], None]) -> Iterator[Trial | None]:
+        """The same, from the first on that is to be run; _NOTHING where there is none."""
+        known = -1
         for trial in fresh:
-            if trial is not None:
-                return trial
+            if trial is not None or self.tally.stored == known:
+                return chain([trial], fresh)
+            known = self.tally.stored
             look()
-        return None
+        return _NOTHING
 
     def _look_for_workers(self) -> None:
         new, gone = self.crew.look(self._pool.members())

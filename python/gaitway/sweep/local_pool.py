@@ -103,8 +103,9 @@ class LocalPool:
         here, there = self._context.Pipe()
         process = self._context.Process(target=_serve, args=(there,), daemon=True)
         resource_tracker.ensure_running()  # by itself it would come with the first process, and unblock what is blocked here
-        before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})  # in the process, until it ignores it
+        before = signal.pthread_sigmask(signal.SIG_BLOCK, [])
         try:
+            signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})  # in the process, until it ignores it
             process.start()
         finally:
             signal.pthread_sigmask(signal.SIG_SETMASK, before)

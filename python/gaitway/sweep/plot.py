@@ -45,5 +45,5 @@ def _lines(groups: list[Group], measure: str, varied: list[str]) -> list[tuple[s
         label = str(group.row[varied[1]]) if len(varied) > 1 else ""
         if label in lines or len(lines) < MOST_LINES:
             x = group.row[varied[0]] if varied else number
-            lines[label].append((x if isinstance(x, int | float) else str(x), *group.figures[measure]))
+            lines[label].append((x if isinstance(x, int | float) else str(x), *group.figures[measure][:2]))
     return list(lines.items())

@@ -18,7 +18,7 @@ from dataclasses import dataclass
 from io import TextIOWrapper
 from pathlib import Path
 from types import TracebackType
-from typing import Any, Self
+from typing import Any, NamedTuple, Self
 
 from .canonical import Json
 from .complaint import InputError, ResultsError
@@ -142,14 +142,22 @@ def _write_csv(sweep: Sweep, rows: Iterable[Row], place: Path) -> None:
         beside.rename(place)
 
 
+class Figure(NamedTuple):
+    """Over the `count` trials that have the measure."""
+
+    mean: float
+    deviation: float
+    count: int
+
+
 @dataclass(frozen=True)
 class Group:
-    """The seeds of one point: for each measure that is a number the mean and the standard deviation over them."""
+    """The seeds of one point, with figures of each measure that is a number for some."""
 
     row: Row  # without trial and seed
     trials: int
     errors: int
-    figures: dict[str, tuple[float, float]]
+    figures: dict[str, Figure]
 
 
 class Summary:
@@ -180,8 +188,10 @@ class Summary:
             yield row
 
 
-def _figures(values: dict[str, array[float]]) -> dict[str, tuple[float, float]]:
-    return {name: (statistics.fmean(some), statistics.stdev(some) if len(some) > 1 else 0.0) for name, some in values.items()}
+def _figures(values: dict[str, array[float]]) -> dict[str, Figure]:
+    return {
+        name: Figure(statistics.fmean(some), statistics.stdev(some) if len(some) > 1 else 0.0, len(some)) for name, some in values.items()
+    }
 
 
 def markdown(sweep: Sweep, groups: list[Group]) -> str:
@@ -197,14 +207,16 @@ def markdown(sweep: Sweep, groups: list[Group]) -> str:
         "|" + "---|" * (len(names) + len(measures) + 2),
     ]
     for group in groups[:ROWS_IN_MARKDOWN]:
-        figures = [_figure(group.figures.get(measure)) for measure in measures]
+        figures = [_figure(group.figures.get(measure), group.trials) for measure in measures]
         cells = [*(f"{group.row[name]}" for name in names), str(group.trials), *figures, str(group.errors or "")]
         lines.append("| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |")
     return "\n".join(lines) + "\n"
 
 
-def _figure(figure: tuple[float, float] | None) -> str:
-    return "" if figure is None else f"{figure[0]:.4g} ± {figure[1]:.2g}"
+def _figure(figure: Figure | None, trials: int) -> str:
+    if figure is None:
+        return ""
+    return f"{figure.mean:.4g} ± {figure.deviation:.2g}" + (f" ({figure.count} of {trials})" if figure.count < trials else "")
 
 
 def _write_parquet(sweep: Sweep, summary: Summary, rows: Iterator[Row], place: Path) -> None:

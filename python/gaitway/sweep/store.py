@@ -33,12 +33,10 @@ def default_folder() -> Path:
 
 
 def open_store(folder: Path | None) -> Store:
-    """As --store says; None: the default folder. InputError where it cannot be made, or written."""
+    """As --store says; None: the default folder. InputError where it cannot be made."""
     place = folder or default_folder()
     try:
         store = Store(place)
-        with tempfile.TemporaryFile(dir=place):
-            pass  # it can be written
         store.remove_left_overs()
         return store
     except OSError as error:
@@ -61,6 +59,14 @@ class Store:
         self.folder = folder
         folder.mkdir(parents=True, exist_ok=True)
         self._writers = ThreadPoolExecutor(WRITERS, thread_name_prefix="store")
+
+    def require_writable(self) -> None:
+        """InputError."""
+        try:
+            with tempfile.TemporaryFile(dir=self.folder):
+                pass
+        except OSError as error:
+            raise InputError(f"--store {self.folder}: {error.strerror}. Choose another folder") from error
 
     def find(self, key: str) -> str | None:
         """A result's text. A file that is not what it says counts as missing, and is written anew."""

@@ -9,6 +9,7 @@ import math
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +22,7 @@ FIELDS = (
     "trial", "robots", "configs", "seeds", "seconds", "mismatch", "worlds", "world_seed", "conditions", "scenario",
     "scenarios", "parameters", "design", "measures",
 )
+CONDITIONS = "$conditions"  # their place; no parameter has such a name
 RESERVED = ("trial", "robot", "config", "world", "scenario", "mismatch", "seed", "error")
 REHEARSAL_FIELDS = ("trial", "seeds", "parameters", "design", "measures")
 FIELDS_OF = {"robot": FIELDS, "rehearsal": REHEARSAL_FIELDS}
@@ -56,7 +58,7 @@ class Sweep:
         """Of trials; nothing is made for it."""
         return self.design.count * math.prod(length(values) for values in self.axes.values())
 
-    @property
+    @cached_property
     def columns(self) -> list[str]:
         """Of the results' table, before the measures."""
         named = [name for name, values in self.axes.items() if len(values) > 1 and name != "seed"]
@@ -185,7 +187,7 @@ def _places(fields: dict[str, Source]) -> dict[str, Sequence[Source]]:
     if "scenarios" in fields:
         places["scenario"] = list(fields["scenarios"].fields().values())
     if "conditions" in fields:
-        places["conditions"] = [fields["conditions"]]
+        places[CONDITIONS] = [fields["conditions"]]
     for name, source in _parameter_sources(fields).items():
         places[name] = [source.fields()[end] for end in ("from", "to")] if source.is_map else source.items()
     return places

@@ -142,16 +142,36 @@ def test_what_is_not_installed_is_told_in_a_line() -> None:
     assert err == "gaitway sweep: sweep files need PyYAML. Install the wheel with it: pip install 'gaitway-….whl[sweep]'\n"
 
 
-def test_an_interrupt_before_anything_is_under_way_is_no_traceback(tmp_path: pathlib.Path) -> None:
-    process = start("--help", before="""
+INTERRUPTED = """
 import importlib, os, signal
 def instead(name, real=importlib.import_module):
     os.kill(os.getpid(), signal.SIGINT)
     return real(name)
 importlib.import_module = instead
-""")
+"""
+
+
+def test_an_interrupt_before_anything_is_under_way_is_no_traceback() -> None:
+    process = start("--help", before=INTERRUPTED)
     assert process.communicate(timeout=60) == ("", "")
     assert process.returncode == -signal.SIGINT
+
+
+def test_an_interrupt_of_a_script_does_not_end_what_it_runs_in_the_background() -> None:
+    process = start("--help", before=f"{INTERRUPTED}\nsignal.signal(signal.SIGINT, signal.SIG_IGN)")
+    out, err = process.communicate(timeout=60)
+    assert (process.returncode, err) == (0, "")
+    assert out.startswith("usage: gaitway sweep")
+
+
+def test_a_mean_says_of_how_many_trials_it_is(tmp_path: pathlib.Path) -> None:
+    place = tmp_path / "sweep.yaml"
+    place.write_text("trial: rehearsal\nseeds: 1..20\nparameters: {error_share: [0.5]}\n")
+    run = SweepRun(place, "local:1", tmp_path / "out", tmp_path / "store")
+    assert run.finish() == 0, run.log.read_text()
+    failed = run.account()["with_error"]
+    assert 0 < failed < 20
+    assert f" ({20 - failed} of 20) | {failed} |" in (tmp_path / "out/results.md").read_text()
 
 
 def test_an_interrupt_while_workers_begin_is_the_clients(tmp_path: pathlib.Path) -> None:

@@ -22,13 +22,16 @@ def trials_of(folder: pathlib.Path, text: str) -> list[dict[str, object]]:
     return [trial.description for trial in read_sweep(file).trials()]
 
 
+def run_of(*arguments: str, folder: pathlib.Path) -> dict[str, object]:
+    """Its summary."""
+    subprocess.run([os.environ["GAITWAY_COMMAND"], "run", *arguments, "--quiet", "--no-pictures", "--out", str(folder)], check=False)
+    return json.loads((folder / "summary.json").read_text())
+
+
 def test_a_trial_is_a_run(tmp_path: pathlib.Path) -> None:
     [description] = trials_of(tmp_path, "seeds: [3]\nseconds: 5\n")
     result = RobotTrials().run(description)
-    out = tmp_path / "run"
-    line = [os.environ["GAITWAY_COMMAND"], "run", "--seed", "3", "--seconds", "5", "--quiet", "--no-pictures", "--out", str(out)]
-    assert subprocess.run(line, check=False).returncode == 0
-    summary = json.loads((out / "summary.json").read_text())
+    summary = run_of("--seed", "3", "--seconds", "5", folder=tmp_path / "run")
     assert result["digest"] == summary["digest"]
     for measure in ("distance_m", "mean_speed_m_s", "mean_side_speed_m_s", "lateral_drift_m", "heading_drift_rad", "commanded_m"):
         assert result[measure] == pytest.approx(summary[measure], abs=1e-9), measure
@@ -38,7 +41,9 @@ def test_a_trial_is_a_run(tmp_path: pathlib.Path) -> None:
 def test_a_speed_that_was_never_measured_is_none(tmp_path: pathlib.Path) -> None:
     [description] = trials_of(tmp_path, "seeds: [3]\nseconds: 1.5\nscenario: [{at_s: 0.5, walk: [0.1, 0, 0]}]\n")
     result = RobotTrials().run(description)
-    assert (result["mean_speed_m_s"], result["mean_side_speed_m_s"]) == (None, None)
+    summary = run_of("--seconds", "1.5", "--walk", "0.1", "--seed", "3", folder=tmp_path / "run")
+    for measures in (result, summary):
+        assert (measures["mean_speed_m_s"], measures["mean_side_speed_m_s"]) == (None, None)
 
 
 def test_parameters_and_variables_reach_the_robot(tmp_path: pathlib.Path) -> None:

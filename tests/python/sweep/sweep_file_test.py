@@ -72,10 +72,16 @@ parameters:
   list: ["3 mm", "1.5e1 mm"]
   several: ["3 mm", "1 cm"]
   word: [slow, fast]
+  wide: {from: 0.1, to: 0.2, steps: 2, unit: 1 / s}
+  close: [-1e-3rad/s, 2rad/s]
+  one_number: [1 mm, 1.0 mm]
+  no_unit: ["1 0", "2 0"]
+  infinite: [1e999 s, 1 s]
 """))
-    assert sweep.columns == ["trial", "range [s]", "list [mm]", "several", "word", "seed"]
+    assert sweep.columns == ["trial", "range [s]", "list [mm]", "several", "word", "wide [1 / s]", "close [rad/s]", "one_number", "no_unit",
+                             "infinite", "seed"]
     last = sweep.trial(sweep.count - 1)
-    assert list(last.row.values())[1:5] == [0.04, 15.0, "1 cm", "fast"]
+    assert list(last.row.values())[1:-1] == [0.04, 15.0, "1 cm", "fast", 0.2, 2.0, "1.0 mm", "2 0", "1 s"]
     assert last.description["range"] == "0.04 s"
 
 
