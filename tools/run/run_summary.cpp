@@ -245,7 +245,8 @@ std::string summary_table(const nlohmann::ordered_json& s) {
   if (has_walked_by_velocity) {
     const auto& speed = s["mean_speed_m_s"];
     row("distance", fmt::format("{:.3f} m, {}", number(s["distance_m"]),
-                                speed.is_null() ? "too short for a mean speed" : fmt::format("mean speed {:.3f} m/s", number(speed))));
+                                speed.is_null() ? "too short for a mean speed"
+                                                : fmt::format("mean speed {:.3f} m/s", number(speed))));
     row("drift", fmt::format("{:+.3f} m sideways, {:+.2f} deg heading", number(s["lateral_drift_m"]),
                              number(s["heading_drift_rad"]) * 57.29578));
   } else {
