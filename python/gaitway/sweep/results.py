@@ -143,11 +143,11 @@ def _write_csv(sweep: Sweep, rows: Iterable[Row], place: Path) -> None:
 
 
 class Figure(NamedTuple):
-    """Over the `count` trials that have the measure."""
+    """Over the `trials` that have the measure."""
 
     mean: float
     deviation: float
-    count: int
+    trials: int
 
 
 @dataclass(frozen=True)
@@ -216,7 +216,7 @@ def markdown(sweep: Sweep, groups: list[Group]) -> str:
 def _figure(figure: Figure | None, trials: int) -> str:
     if figure is None:
         return ""
-    return f"{figure.mean:.4g} ± {figure.deviation:.2g}" + (f" ({figure.count} of {trials})" if figure.count < trials else "")
+    return f"{figure.mean:.4g} ± {figure.deviation:.2g}" + (f" ({figure.trials} of {trials})" if figure.trials < trials else "")
 
 
 def _write_parquet(sweep: Sweep, summary: Summary, rows: Iterator[Row], place: Path) -> None:
