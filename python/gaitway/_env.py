@@ -137,8 +137,7 @@ class Env(gymnasium.Env[Vector, Vector]):
 
     def told(self, transition: Transition) -> tuple[Vector, float, dict[str, Any]]:
         """Observation, reward and info."""
-        given = self._reward(transition)
-        reward = _number("the reward", given)
+        reward = _number("the reward", self._reward(transition))
         if not math.isfinite(reward):
             raise ValueError(f"the reward is {reward}: must be finite")
         return self._observation.read(), reward, {"time_s": self.robot.time_s}
